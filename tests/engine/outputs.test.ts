@@ -26,7 +26,7 @@ import { levelFiles, writeLevels } from '../../web/cli/levels';
 import { checkRoom } from '../../web/cli/output_files/outputs';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { checkStandard, readStandard } from '../../web/cli/standard';
-import { brokenLimits } from '../../web/cli/targets';
+import { brokenLimits } from '../../web/engine/stages/missed_targets';
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
 import { failureOf, SQUARE_OBJ, textFile } from './support/files';
@@ -361,12 +361,14 @@ describe('a target', () => {
     const limits = { maxDeviation: 1, maxFrequencyError: 5 };
     const found = { deviation: 1.2, frequencyError: 6 };
     expect(brokenLimits(limits, new Set(), found)).toEqual([]);
-    expect(brokenLimits(limits, new Set(['max-deviation', 'max-frequency-error']), found)).toEqual([
+    expect(brokenLimits(limits, new Set(['maxDeviation', 'maxFrequencyError'] as const), found)).toEqual([
       'The surface deviates by 1.20 %, not by at most 1 %',
       'Frequencies are off by 6.00 %, not by at most 5 %',
     ]);
     const kept = { deviation: 1.00001, frequencyError: 5 };
-    expect(brokenLimits(limits, new Set(['max-deviation', 'max-frequency-error']), kept)).toEqual([]);
-    expect(brokenLimits({ ...limits, maxDeviation: 0 }, new Set(['max-deviation']), found)).toEqual([]);
+    expect(brokenLimits(limits, new Set(['maxDeviation', 'maxFrequencyError'] as const), kept)).toEqual([]);
+    expect(brokenLimits({ ...limits, maxDeviation: 0 }, new Set(['maxDeviation'] as const), found)).toEqual(
+      [],
+    );
   });
 });

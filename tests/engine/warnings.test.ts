@@ -1,6 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { canRedraw, redrawn } from '../../web/cli/terminal';
-import { ofBody, ofSentence, warningLines } from '../../web/cli/warnings';
+import { warningLines } from '../../web/cli/warnings';
+import type { BodyRun } from '../../web/engine/stages/body_run';
+import { resultWarnings } from '../../web/engine/stages/file_warnings';
+import type { RunSettings } from '../../web/engine/stages/stage';
+import { STAGES } from '../../web/engine/stages/stages';
+import { lineAlone, ofBody, ofSentence } from '../../web/engine/report/warnings';
 
 const many = (count: number, textOf: (i: number) => string) =>
   Array.from({ length: count }, (_, i) => ofBody(`part ${i}`, textOf(i)));
@@ -62,4 +67,16 @@ describe('the line of progress', () => {
     expect(redrawn('ab', 5)).toBe('\rab   ');
     expect(redrawn('', 3)).toBe('\r   ');
   });
+});
+
+it('tells the caller of the library, too, of parts whose modes failed', () => {
+  const values = new Map<unknown, unknown>([
+    [STAGES.constraints, { note: '' }],
+    [STAGES.guidingModes, { components: [{ failure: 'No solution was found.' }] }],
+    [STAGES.fitted, { large: 0 }],
+  ]);
+  const run = { context: { body: { name: 'lamp' } }, get: (stage: unknown) => values.get(stage) };
+  expect(resultWarnings(run as unknown as BodyRun, {} as RunSettings).map(lineAlone)).toEqual([
+    'lamp is reduced by shape and triangle quality alone, for its modes failed: No solution was found',
+  ]);
 });

@@ -2,25 +2,30 @@
 
 import { expect, it } from 'vitest';
 import type { SimulateOptions } from '../../web/library/options';
-import type { WorkMessage } from '../../web/library/protocol';
+import type { WorkMessage, WorkRequest } from '../../web/library/protocol';
 import { Server } from '../../web/library/work/serve';
 import { textFile } from '../engine/support/files';
-import { toObj, torus } from '../engine/support/shapes';
+import { addRichMesh, glbFile, startDocument } from '../engine/support/gltf';
+import { grid, toObj, torus } from '../engine/support/shapes';
 
 const wasmFolder = new URL('../../public/wasm/', import.meta.url).href;
 
-/** The last message on a simulation of a ring beside itself. */
-async function simulated(options: SimulateOptions): Promise<WorkMessage> {
+const RING = [textFile('ring.obj', toObj(torus()))];
+
+/** The last message on a request. */
+async function answered(request: Omit<WorkRequest, 'core'>): Promise<WorkMessage> {
   const messages: WorkMessage[] = [];
-  const ring = [textFile('ring.obj', toObj(torus()))];
-  await new Server((message) => messages.push(message)).answer({
-    command: 'simulate',
-    models: [ring, ring],
-    options: { seconds: 0.1, substeps: 2, threads: 1, ...options },
-    core: { wasmFolder },
-  });
+  await new Server((message) => messages.push(message)).answer({ ...request, core: { wasmFolder } });
   return messages.at(-1)!;
 }
+
+/** The last message on a simulation of a ring beside itself. */
+const simulated = (options: SimulateOptions): Promise<WorkMessage> =>
+  answered({
+    command: 'simulate',
+    models: [RING, RING],
+    options: { seconds: 0.1, substeps: 2, threads: 1, ...options },
+  });
 
 it('calibrates where nothing is said of the material, as the command line does, and refuses springs', async () => {
   expect(await simulated({ calibrate: true })).toMatchObject({
@@ -29,4 +34,37 @@ it('calibrates where nothing is said of the material, as the command line does, 
   expect(await simulated({ calibrate: true, material: 'springs' })).toMatchObject({
     failure: { message: 'calibrate is for material "shell" and no solver: leave the others out.' },
   });
+});
+
+it('notes a target that is missed, as the command line warns of it, and knows settings by their names', async () => {
+  const asked = { threads: 1, wantsBodies: false };
+  const notesOf = async (options: object) => {
+    const message = await answered({
+      command: 'optimize',
+      models: [RING],
+      options: { ...asked, ...options },
+    });
+    return (message as { value: { notes: string[] } }).value.notes;
+  };
+  expect(await notesOf({ faces: 2, maxDeviation: 0 })).toEqual([
+    expect.stringMatching(/^Stopped at \d+ faces, not 2: /),
+  ]);
+  expect(await notesOf({ faces: 2 })).toEqual([
+    expect.stringMatching(/fewer would go beyond 1 %; maxDeviation 0 lifts this$/),
+  ]);
+  expect(await notesOf({ lods: [0.001] })).toEqual([
+    expect.stringMatching(/^lod1: ring stopped at \d+ faces, /),
+  ]);
+});
+
+it('notes what shapes of modes leave out', async () => {
+  const document = startDocument();
+  addRichMesh(document, 'sheet', grid(3, 3));
+  const message = await answered({
+    command: 'modes',
+    models: [[await glbFile(document)]],
+    options: { threads: 1, writesShapes: true },
+  });
+  const { notes } = (message as { value: { notes: string[] } }).value;
+  expect(notes.at(-1)).toMatch(/^the shapes leave out 1 morph target\b/);
 });

@@ -24,7 +24,8 @@ export function describeFailure(error: unknown): { code: number; line: string } 
   };
 }
 
-const flagOf = (setting: SettingName): string => `--${OPTIONS[setting].flag}`;
+/** What the user of the command line knows a setting as. */
+export const flagOf = (setting: SettingName): string => `--${OPTIONS[setting].flag}`;
 
 /** A note of the engine; on the command line settings are flags. */
 export const inFlags = (note: Note): string => wordNote(note, flagOf);

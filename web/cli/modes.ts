@@ -1,7 +1,6 @@
 /** limber modes IN */
 
-import { describeSize, describeSolve } from '../engine/body/health';
-import { materialOf } from '../engine/body/material';
+import { describeSolve } from '../engine/body/health';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import type { ModeSet } from '../engine/core/core';
 import { startStopwatch } from '../engine/core/stopwatch';
@@ -14,14 +13,14 @@ import type { Report } from '../engine/report/report';
 import { resolveModes } from '../engine/settings/options';
 import type { Settings } from '../engine/settings/options';
 import type { FileRun } from '../engine/stages/file_run';
+import { sizeWarnings } from '../engine/stages/file_warnings';
 import { STAGES } from '../engine/stages/stages';
 import { exportedMesh } from '../engine/stages/written';
 import type { Arguments } from './arguments';
-import { EXIT, inFlags } from './failure';
+import { EXIT, flagOf, inFlags } from './failure';
 import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
-import { ofBody } from './warnings';
 import { plural, table } from './words';
 
 export async function runModes(args: Arguments): Promise<number> {
@@ -34,10 +33,7 @@ export async function runModes(args: Arguments): Promise<number> {
   const load = stopwatch();
   const file = prepareFile(session, model);
   const prepared = file.prepared(settings);
-  for (const body of prepared) {
-    const size = describeSize(body.diagonal * materialOf(body, settings).unit);
-    if (size) session.warnings.push(ofBody(body.body.name, inFlags(size)));
-  }
+  session.warnings.push(...sizeWarnings(file, settings, flagOf));
   const weld = stopwatch();
   const sets = file.usable.map(({ run }) => {
     file.announce(run);

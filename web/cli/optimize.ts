@@ -1,21 +1,22 @@
 /** limber optimize IN OUT */
 
 import { chosenBodies } from '../engine/body/selection';
-import { describeFailedModes, describeResiduals } from '../engine/body/health';
+import { describeResiduals } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { passThrough } from '../engine/document/write/pass_through';
 import { describeEmpty } from '../engine/document/open';
 import { loadValidator } from '../engine/document/validate';
 import type { OpenModel } from '../engine/document/open';
-import { describeLargeFit } from '../engine/report/fit_words';
 import { settingsAsUsed } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import { FileOutput } from '../engine/stages/file_output';
 import { requestFile } from '../engine/stages/budget/file_targets';
 import type { FileRun } from '../engine/stages/file_run';
-import { STAGES } from '../engine/stages/stages';
+import { resultWarnings } from '../engine/stages/file_warnings';
+import { faceTarget, missedTargets } from '../engine/stages/missed_targets';
+import type { MissedTargets } from '../engine/stages/missed_targets';
 import type { Arguments } from './arguments';
-import { EXIT } from './failure';
+import { EXIT, flagOf } from './failure';
 import { writeLevels } from './levels';
 import type { WrittenLevels } from './levels';
 import { levelLine, summaryLine, tuningLines } from './optimize_words';
@@ -23,10 +24,9 @@ import { checkModelOutputs, checkPassedOn, fileName, saveFiles } from './output_
 import { finish, openAnyFile, prepareFile, save, writeOutput, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
-import { missedTargets, targetOf } from './targets';
+import { askedOf } from './asked';
 import { warnOfErrors } from './validation';
 import { clearProgress } from './terminal';
-import { ofBody } from './warnings';
 import { plain } from './words';
 
 export async function runOptimize(args: Arguments): Promise<number> {
@@ -114,7 +114,7 @@ export interface Optimized {
 /** Writes the report and says what has come of it; returns the exit code. */
 export function finishOptimize(session: Session, { output, report, levels }: Optimized): number {
   const { args } = session;
-  const missed = missedTargets(args, output, levels.written);
+  const missed = missedOf(args, output, levels);
   const text = [
     summaryLine(args, output, report.timings.total),
     ...tuningLines(report),
@@ -127,25 +127,34 @@ export function finishOptimize(session: Session, { output, report, levels }: Opt
   return missed.asked.length === 0 || args.soft ? EXIT.done : EXIT.missedTarget;
 }
 
+/** The missed targets of a run, settings being flags. */
+export const missedOf = (args: Arguments, output: FileOutput, { written }: WrittenLevels): MissedTargets =>
+  missedTargets(askedOf(args), output, {
+    levels: written.map(({ bodies, report: { file } }) => ({ file, bodies })),
+    nameOf: flagOf,
+  });
+
 /** Takes every body through its stages; warns where a result is not as asked. */
 function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   const { settings, fields } = args;
   const binding = args.bind !== null;
-  const request = requestFile(file, { settings, fields, binding, isOnly: true, ...targetOf(args) });
+  const request = requestFile(file, {
+    settings,
+    fields,
+    binding,
+    isOnly: true,
+    ...faceTarget(askedOf(args)),
+  });
   const output = new FileOutput(file, request);
   output.compute((run, own) => {
-    const { note } = run.get(STAGES.constraints, own);
-    if (note !== '') warnings.push(note);
-    warnings.push(...describeFailedModes(run.context.body.name, run.get(STAGES.guidingModes, own)));
-    const large = describeLargeFit(run.get(STAGES.fitted, own));
-    if (large !== '') warnings.push(ofBody(run.context.body.name, large));
+    warnings.push(...resultWarnings(run, own));
   });
   return output;
 }
 
 function optionsAsUsed(args: Arguments): object {
   const { settings, fields } = args;
-  const { faces, ratio } = targetOf(args);
+  const { faces, ratio } = faceTarget(askedOf(args));
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
   return { ...settingsAsUsed(settings), ...target, fields };
 }

@@ -1,14 +1,14 @@
 /** What every command needs: the loaded core, the opened files, progress and warnings. */
 
 import { existsSync } from 'node:fs';
-import { describeHealth } from '../engine/body/health';
-import type { PreparedBody } from '../engine/body/prepared_body';
 import type { Core, Progress } from '../engine/core/core';
 import { loadCore } from '../engine/core/load_core';
 import { openAnyModel, openModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
+import type { Warning } from '../engine/report/warnings';
 import { FileRun } from '../engine/stages/file_run';
+import { preparedWarnings } from '../engine/stages/file_warnings';
 import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { describeFailure, inFlags, UsageError } from './failure';
@@ -18,8 +18,7 @@ import type { CheckedFiles } from './inputs';
 import { checkRoom, sizeOfModel } from './output_files/outputs';
 import { shownOutput, STANDARD } from './standard';
 import { canRedraw, clearProgress, showProgress } from './terminal';
-import { ofBody, ofSentence, warningLines } from './warnings';
-import type { Warning } from './warnings';
+import { warningLines } from './warnings';
 import { count, plain } from './words';
 
 export interface Session {
@@ -119,15 +118,8 @@ export function prepareFile(session: Session, model: OpenModel): FileRun {
   };
   const guides = args.command === 'optimize';
   const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), guides, onActivity });
-  for (const sentence of file.prepare(args.settings))
-    warnings.push(ofSentence(`${sentence.replace(/\.$/, '')}; it stays as it is`));
-  for (const body of file.prepared(args.settings)) warnAbout(session, model, body);
+  warnings.push(...preparedWarnings(file, args.settings));
   return file;
-}
-
-function warnAbout({ warnings }: Session, model: OpenModel, { body, weld, inspection }: PreparedBody): void {
-  for (const { kind, text } of describeHealth(body, weld, inspection))
-    if (kind !== 'fact') warnings.push(ofBody(body.name, text, model.bodies.length > 1));
 }
 
 /**

@@ -19,6 +19,7 @@ import type { SettingsFile } from '../engine/report/settings_file';
 import { readSettingsFile } from '../engine/report/settings_reader';
 import { startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
+import { ofBody } from '../engine/report/warnings';
 import type { FileRun } from '../engine/stages/file_run';
 import { profileOf } from '../engine/solvers/profiles';
 import { STAGES } from '../engine/stages/stages';
@@ -30,7 +31,6 @@ import { readText } from './files';
 import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';
-import { ofBody } from './warnings';
 import { count, list } from './words';
 
 /** The bodies of A and, where it is named, of B, in the order of their files. */

@@ -1,32 +1,9 @@
 /** Warnings, one line for all bodies that have the same one. */
 
+import type { Warning } from '../engine/report/warnings';
 import { count } from './words';
 
-/** Of one body: the same words of several bodies become one line. */
-export interface BodyWarning {
-  body: string;
-  /** without a full stop at its end */
-  text: string;
-  /** the whole line where no other body has the same warning */
-  alone: string;
-}
-
-export type Warning = string | BodyWarning;
-
 const NUMBER = /\d+(,\d{3})*(\.\d+)?/g;
-
-/** The warning of a body; files with one body do not name it. */
-export const ofBody = (body: string, text: string, isOneOfMany = true): BodyWarning => ({
-  body,
-  text,
-  alone: isOneOfMany ? `${body}: ${text}` : text,
-});
-
-/** The warning of a sentence `Body "NAME" has ...`. */
-export function ofSentence(sentence: string): Warning {
-  const found = /^Body "(.*)" has (.*)$/s.exec(sentence);
-  return found ? { body: found[1], text: found[2], alone: sentence } : sentence;
-}
 
 /**
  * The lines in the order in which their first warning came. Texts that differ in numbers alone are the same: where a number

@@ -11,11 +11,10 @@ import { startStopwatch } from '../../engine/core/stopwatch';
 import { isModelName } from '../../engine/document/format_names';
 import { worstFidelity } from '../../engine/report/result_report';
 import { describeFailure } from '../failure';
-import { finishOptimize, optimizeModel } from '../optimize';
+import { finishOptimize, missedOf, optimizeModel } from '../optimize';
 import type { Optimized } from '../optimize';
 import { loadSessionCore, startSession } from '../session';
 import type { Session } from '../session';
-import { missedTargets } from '../targets';
 import { warningLines } from '../warnings';
 import { hashOf, keyOf } from './key';
 import type { StagedFile, WorkDone, WorkOrder } from './messages';
@@ -89,9 +88,7 @@ async function optimizeAsset(session: Session, order: WorkOrder, files: StagedFi
   try {
     finishOptimize(session, done);
     if (done.levels.failure) throw new Error(done.levels.failure.sentence);
-    const missed = session.args.soft
-      ? []
-      : missedTargets(session.args, done.output, done.levels.written).asked;
+    const missed = session.args.soft ? [] : missedOf(session.args, done.output, done.levels).asked;
     return {
       state: missed.length > 0 ? 'missed' : 'done',
       sentences: [...missed, ...warningLines(session.warnings, session.args.verbose)],

@@ -1,8 +1,7 @@
 /** Finds the modes of a model, and inspects it. */
 
-import { describeSize, describeSolve } from '../../engine/body/health';
-import { materialOf } from '../../engine/body/material';
-import { exportGlb } from '../../engine/document/export';
+import { describeSolve } from '../../engine/body/health';
+import { droppedByExport, exportGlb } from '../../engine/document/export';
 import { shapeTargets } from '../../engine/document/shapes';
 import { modesReport } from '../../engine/report/modes_report';
 import { startReport } from '../../engine/report/report';
@@ -10,13 +9,14 @@ import type { Report } from '../../engine/report/report';
 import { resolveModes } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import type { FileRun } from '../../engine/stages/file_run';
+import { sizeWarnings } from '../../engine/stages/file_warnings';
 import { inspectBody } from '../../engine/stages/prepared';
 import { STAGES } from '../../engine/stages/stages';
 import { exportedMesh } from '../../engine/stages/written';
 import type { ModesOptions, ModesResult, Reported } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
-import { inNames } from './session';
+import { inNames, nameOf } from './session';
 import type { WorkSession } from './session';
 import { settingsAsUsed } from './settings';
 
@@ -30,10 +30,7 @@ export async function findModes(
   const load = session.lap();
   const file = session.prepare(model);
   const prepared = file.prepared(settings);
-  for (const body of prepared) {
-    const size = describeSize(body.diagonal * materialOf(body, settings).unit);
-    if (size) notes.push(`${body.body.name}: ${inNames(size)}`);
-  }
+  session.warn(sizeWarnings(file, settings, nameOf));
   const weld = session.lap();
   const sets = file.usable.map(({ run }) => {
     file.announce(run);
@@ -57,7 +54,9 @@ function optionsAsUsed(settings: Settings): object {
 }
 
 /** The model with the shapes of the modes as morph targets. */
-function shapesGlb({ settings }: WorkSession, { model, runs }: FileRun): Promise<Uint8Array> {
+function shapesGlb({ settings, notes }: WorkSession, { model, runs }: FileRun): Promise<Uint8Array> {
+  const dropped = droppedByExport(model, true);
+  if (dropped.length > 0) notes.push(`the shapes leave out ${dropped.join(', ')}`);
   const ordinals = resolveModes(settings).map((mode) => mode - 1);
   const shown = runs.map((run) => {
     if (!run) return null;

@@ -1,24 +1,25 @@
 /** Optimizes a model. */
 
 import { describeResiduals } from '../../engine/body/health';
-import { describeLargeFit } from '../../engine/report/fit_words';
 import { settingsAsUsed } from '../../engine/report/report';
 import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
-import type { FaceTarget } from '../../engine/stages/budget/face_shares';
 import { FileOutput } from '../../engine/stages/file_output';
 import { runSettings } from '../../engine/stages/file_request';
 import type { FileRequest } from '../../engine/stages/file_request';
 import { requestFile } from '../../engine/stages/budget/file_targets';
 import type { FileRun } from '../../engine/stages/file_run';
+import { resultWarnings } from '../../engine/stages/file_warnings';
+import { faceTarget, LIMITS, missedTargets } from '../../engine/stages/missed_targets';
+import type { AskedTargets, StoppedLevel } from '../../engine/stages/missed_targets';
 import { STAGES } from '../../engine/stages/stages';
 import { checkWritten } from '../../engine/stages/written_form';
 import type { Level } from '../options';
 import type { ModelFiles, OptimizeReply, OptimizeRequest } from '../protocol';
+import { nameOf } from './session';
 import type { WorkSession } from './session';
 import { checkTarget } from './settings';
 
-const DEFAULT_RATIO = 0.5;
 /** The format follows from the settings. */
 const NAME = 'model';
 
@@ -49,11 +50,12 @@ export async function optimizeModel(
   const { lost } = checkWritten(model, session.chosen(model), { name: NAME, settings });
   const file = session.prepare(model, { guides: true });
   const weld = session.lap();
-  const target = targetOf(session, options);
+  const asked = askedOf(session, options);
+  const target = faceTarget(asked);
   const { fields = false, bind: binding = false } = options;
   const request = requestFile(file, { settings, fields, binding, isOnly: true, ...target });
   const output = new FileOutput(file, request);
-  computeOutput(session, output);
+  output.compute((run, own) => session.warn(resultWarnings(run, own)));
   session.lap();
   const files = options.wantsBodies ? [] : await output.files(NAME);
   const bodies = options.wantsBodies ? writtenBodies(file, request) : [];
@@ -61,13 +63,14 @@ export async function optimizeModel(
   const settingsFile = settings.solver === 'none' ? null : output.settings();
   if (lost.length > 0) notes.push(`the result leaves out ${lost.join(', ')}`);
   const exportTime = session.lap();
-  const levels = await furtherLevels(output);
+  const { levels, stopped } = await furtherLevels(output);
   const levelsTime = session.lap();
   const report = output.report(
     optionsAsUsed(session, options, target),
     levels.map((level) => level.report),
   );
-  notes.push(...describeResiduals(report.modes ?? []));
+  const missed = missedTargets(asked, output, { levels: stopped, nameOf });
+  notes.push(...describeResiduals(report.modes ?? []), ...missed.asked, ...missed.unasked);
   report.timings = {
     ...{ load, weld, ...report.timings, export: exportTime },
     ...(levels.length > 0 ? { levels: levelsTime } : {}),
@@ -86,41 +89,29 @@ export const finished = ({ core }: WorkSession, report: Report): Report => ({
   peakHeapBytes: core.peakHeapBytes(),
 });
 
-/** What is asked for; half the faces where nothing else is a target. */
-function targetOf(
-  { settings }: WorkSession,
-  { faces, ratio, maxDeviation = 0 }: OptimizeRequest,
-): FaceTarget {
-  const others = [maxDeviation, settings.minAngle, settings.maxFrequencyError];
-  const isAlone = faces === undefined && others.every((limit) => limit === 0);
-  return { faces: faces ?? null, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
-}
-
-function computeOutput({ notes }: WorkSession, output: FileOutput): void {
-  output.compute((run, own) => {
-    const { note } = run.get(STAGES.constraints, own);
-    if (note !== '') notes.push(note);
-    const large = describeLargeFit(run.get(STAGES.fitted, own));
-    if (large !== '') notes.push(`${run.context.body.name}: ${large}`);
-  });
-}
+const askedOf = ({ settings }: WorkSession, { faces, ratio, ...given }: OptimizeRequest): AskedTargets => ({
+  ...{ settings, faces: faces ?? null, ratio: ratio ?? null },
+  limits: new Set(LIMITS.filter((name) => given[name] !== undefined)),
+});
 
 const writtenBodies = (file: FileRun, request: FileRequest): OptimizeReply['bodies'] =>
   file.runs.map((run, i) => run && run.get(STAGES.written, runSettings(request, i)));
 
-async function furtherLevels(output: FileOutput): Promise<Level[]> {
-  const levels: Level[] = [];
+async function furtherLevels(output: FileOutput): Promise<{ levels: Level[]; stopped: StoppedLevel[] }> {
+  const [levels, stopped]: [Level[], StoppedLevel[]] = [[], []];
   for (let i = 0; i < output.levelCount; ++i) {
-    const { files, report } = await output.level(i, NAME);
-    levels.push({ glb: files[0]?.bytes ?? null, files, report: { file: `lod${i + 1}`, ...report } });
+    const { files, bodies, report } = await output.level(i, NAME);
+    const file = `lod${i + 1}`;
+    levels.push({ glb: files[0]?.bytes ?? null, files, report: { file, ...report } });
+    stopped.push({ file, bodies });
   }
-  return levels;
+  return { levels, stopped };
 }
 
 function optionsAsUsed(
   { settings }: WorkSession,
   { fields = false }: OptimizeRequest,
-  { faces, ratio }: FaceTarget,
+  { faces, ratio }: Pick<AskedTargets, 'faces' | 'ratio'>,
 ): object {
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
   return { ...settingsAsUsed(settings), ...target, fields };

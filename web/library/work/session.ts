@@ -1,20 +1,24 @@
 /** What every call needs in the worker: the core, the settings, opened models, notes and progress. */
 
-import { describeHealth } from '../../engine/body/health';
-import type { PreparedBody } from '../../engine/body/prepared_body';
 import { chosenBodies } from '../../engine/body/selection';
 import type { Core, Progress } from '../../engine/core/core';
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
+import { lineAlone } from '../../engine/report/warnings';
+import type { Warning } from '../../engine/report/warnings';
 import { wordNote } from '../../engine/settings/options';
-import type { Note, Settings } from '../../engine/settings/options';
+import type { Note, SettingName, Settings } from '../../engine/settings/options';
 import { FileRun } from '../../engine/stages/file_run';
+import { preparedWarnings } from '../../engine/stages/file_warnings';
 import type { StageProgress } from '../options';
 import type { ModelFiles } from '../protocol';
 
-/** A note of the engine; callers know settings by their names. */
-export const inNames = (note: Note): string => wordNote(note, (setting) => setting);
+/** Callers know settings by their names. */
+export const nameOf = (setting: SettingName): string => setting;
+
+/** A note of the engine in these names. */
+export const inNames = (note: Note): string => wordNote(note, nameOf);
 
 export class WorkSession {
   readonly notes: string[] = [];
@@ -59,16 +63,12 @@ export class WorkSession {
     };
     const file = new FileRun(this.core, model, { chosen: this.chosen(model), guides, onActivity, onStage });
     this.files.push(file);
-    for (const sentence of file.prepare(this.settings))
-      this.notes.push(`${sentence.replace(/\.$/, '')}; it stays as it is`);
-    for (const body of file.prepared(this.settings)) this.noteHealth(model, body);
+    this.warn(preparedWarnings(file, this.settings));
     return file;
   }
 
-  private noteHealth({ bodies }: OpenModel, { body, weld, inspection }: PreparedBody): void {
-    const name = bodies.length > 1 ? `${body.name}: ` : '';
-    for (const { kind, text } of describeHealth(body, weld, inspection))
-      if (kind !== 'fact') this.notes.push(`${name}${text}`);
+  warn(warnings: Warning[]): void {
+    this.notes.push(...warnings.map(lineAlone));
   }
 
   /** Gives back what the runs hold in the core. */

@@ -1,0 +1,29 @@
+/** Warnings of a run over a file; the same words of several bodies can become one line. */
+
+/** Of one body. */
+export interface BodyWarning {
+  body: string;
+  /** without a full stop at its end */
+  text: string;
+  /** the whole line where no other body has the same warning */
+  alone: string;
+}
+
+export type Warning = string | BodyWarning;
+
+/** The warning of a body; files with one body do not name it. */
+export const ofBody = (body: string, text: string, isOneOfMany = true): BodyWarning => ({
+  body,
+  text,
+  alone: isOneOfMany ? `${body}: ${text}` : text,
+});
+
+/** The warning of a sentence `Body "NAME" has ...`. */
+export function ofSentence(sentence: string): Warning {
+  const found = /^Body "(.*)" has (.*)$/s.exec(sentence);
+  return found ? { body: found[1], text: found[2], alone: sentence } : sentence;
+}
+
+/** The warning as a line of its own. */
+export const lineAlone = (warning: Warning): string =>
+  typeof warning === 'string' ? warning : warning.alone;

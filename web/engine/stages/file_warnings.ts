@@ -1,0 +1,50 @@
+/** What is to be known of a run over a file, for the command line and the library alike. */
+
+import { describeFailedModes, describeHealth, describeSize } from '../body/health';
+import { materialOf } from '../body/material';
+import { describeLargeFit } from '../report/fit_words';
+import { ofBody, ofSentence } from '../report/warnings';
+import type { Warning } from '../report/warnings';
+import { wordNote } from '../settings/options';
+import type { Note, SettingName, Settings } from '../settings/options';
+import type { BodyRun } from './body_run';
+import type { FileRun } from './file_run';
+import type { RunSettings } from './stage';
+import { STAGES } from './stages';
+
+/** Prepares the bodies: those that stay as they are, and what was repaired or set aside. Throws an Error where no body is usable. */
+export function preparedWarnings(file: FileRun, settings: Settings): Warning[] {
+  const unusable = file
+    .prepare(settings)
+    .map((sentence) => ofSentence(`${sentence.replace(/\.$/, '')}; it stays as it is`));
+  const isOneOfMany = file.model.bodies.length > 1;
+  const health = file.prepared(settings).flatMap(({ body, weld, inspection }) =>
+    describeHealth(body, weld, inspection)
+      .filter(({ kind }) => kind !== 'fact')
+      .map(({ text }) => ofBody(body.name, text, isOneOfMany)),
+  );
+  return [...unusable, ...health];
+}
+
+/** Bodies whose size in metres is implausible. `nameOf`: what the reader knows settings as. */
+export const sizeWarnings = (
+  file: FileRun,
+  settings: Settings,
+  nameOf: (setting: SettingName) => string,
+): Warning[] =>
+  file.prepared(settings).flatMap((body) => {
+    const size: Note | null = describeSize(body.diagonal * materialOf(body, settings).unit);
+    return size ? [ofBody(body.body.name, wordNote(size, nameOf))] : [];
+  });
+
+/** Where the result of a body did not come about as asked. */
+export function resultWarnings(run: BodyRun, settings: RunSettings): Warning[] {
+  const { name } = run.context.body;
+  const { note } = run.get(STAGES.constraints, settings);
+  const large = describeLargeFit(run.get(STAGES.fitted, settings));
+  return [
+    ...(note === '' ? [] : [note]),
+    ...describeFailedModes(name, run.get(STAGES.guidingModes, settings)),
+    ...(large === '' ? [] : [ofBody(name, large)]),
+  ];
+}

@@ -1,0 +1,150 @@
+/** Which targets of a file are missed, and why. */
+
+import type { PreparedBody } from '../body/prepared_body';
+import { sum } from '../core/mesh';
+import { counted } from '../core/words';
+import { worstSurface } from '../report/result_report';
+import { describeRefused, isBlockedBySeams, stopReport } from '../report/stop_report';
+import type { StoppedBody } from '../report/stop_report';
+import type { SettingName, Settings } from '../settings/options';
+import type { FaceTarget } from './budget/face_shares';
+import type { FileOutput } from './file_output';
+import { STAGES } from './stages';
+
+const DEFAULT_RATIO = 0.5;
+
+const shown = (faces: number): string => faces.toLocaleString('en-US');
+
+/** Limits that are guards by default, of which nothing is missed. */
+export const LIMITS = ['maxDeviation', 'maxFrequencyError'] as const satisfies SettingName[];
+
+/** What was asked for. */
+export interface AskedTargets extends FaceTarget {
+  settings: Settings;
+  /** the limits that were asked for by name */
+  limits: ReadonlySet<SettingName>;
+}
+
+/** How the reader knows what a sentence names. */
+export interface TargetWords {
+  levels: StoppedLevel[];
+  nameOf: (setting: SettingName) => string;
+}
+
+/** A further level with what stopped its bodies. */
+export interface StoppedLevel {
+  file: string;
+  bodies: StoppedBody[];
+}
+
+/** A sentence for each missed target, without a full stop. */
+export interface MissedTargets {
+  /** asked for as a number or limit */
+  asked: string[];
+  /** a default, of which nothing is missed */
+  unasked: string[];
+}
+
+/** The faces that are asked for; half of them where nothing else is a target. */
+export function faceTarget({ faces, ratio, settings, limits }: AskedTargets): FaceTarget {
+  const { minAngle, maxFrequencyError } = settings;
+  const isAlone =
+    faces === null && !asksForDeviation({ limits, settings }) && minAngle === 0 && maxFrequencyError === 0;
+  return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
+}
+
+/** Whether the largest deviation was asked for: by default it is a guard, and stopping at it misses no target. */
+const asksForDeviation = ({ limits, settings }: Pick<AskedTargets, 'limits' | 'settings'>): boolean =>
+  limits.has('maxDeviation') && settings.maxDeviation > 0;
+
+export function missedTargets(
+  asked: AskedTargets,
+  output: FileOutput,
+  { levels, nameOf }: TargetWords,
+): MissedTargets {
+  const { settings, limits } = asked;
+  const describe = (bodies: StoppedBody[], where = '') =>
+    describeMiss(bodies, output.prepared(), { where, settings, nameOf });
+  const guardOf = (bodies: StoppedBody[], where = '') =>
+    asksForDeviation(asked) ? '' : describeGuard(bodies, nameOf, where);
+  const [ofFile, guard] = [describe(output.stopped()), guardOf(output.stopped())];
+  const isAsked = asked.faces !== null || asked.ratio !== null;
+  const { faces, ratio } = faceTarget(asked);
+  const hasCount = faces !== null || ratio !== null;
+  const found = {
+    deviation: worstSurface(output.values(STAGES.measured).map(({ distance }) => distance)).hausdorff,
+    frequencyError: stopReport(output.stopped()).frequency?.error ?? 0,
+  };
+  const ofLevels = levels.flatMap(({ bodies, file }) => [
+    describe(bodies, `${file}: `),
+    guardOf(bodies, `${file}: `),
+  ]);
+  const isPresent = (sentence: string) => sentence !== '';
+  return {
+    asked: [
+      ...(isAsked ? [ofFile] : []),
+      ...ofLevels,
+      ...brokenLimits(settings, limits, found),
+      ...(isAsked ? [guard] : []),
+    ].filter(isPresent),
+    unasked: (isAsked ? [] : [...(hasCount ? [ofFile] : []), guard]).filter(isPresent),
+  };
+}
+
+/** Why bodies have more faces than was asked for, because the surface would go too far; '' where none has. */
+function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], where: string): string {
+  const { guarded = [] } = stopReport(bodies);
+  if (guarded.length === 0) return '';
+  const [{ body, faces, deviation, limit }] = [...guarded].sort((a, b) => b.deviation - a.deviation);
+  const others =
+    guarded.length > 1 ? ` and ${counted(guarded.length - 1, 'other body', 'other bodies')}` : '';
+  return `${where}${body}${others} stopped at ${shown(faces)} faces, ${deviation.toFixed(2)} % of its diagonal from the original: fewer would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
+}
+
+/** What lies within rounding of a limit keeps it. */
+const ROUNDING = 1.0001;
+
+/** A sentence for each limit that was asked for and that the result does not keep. */
+export function brokenLimits(
+  { maxDeviation, maxFrequencyError }: Pick<Settings, 'maxDeviation' | 'maxFrequencyError'>,
+  limits: ReadonlySet<SettingName>,
+  found: { deviation: number; frequencyError: number },
+): string[] {
+  const isBroken = (name: SettingName, limit: number, value: number) =>
+    limits.has(name) && limit > 0 && value > ROUNDING * limit;
+  return [
+    ...(isBroken('maxDeviation', maxDeviation, found.deviation)
+      ? [`The surface deviates by ${found.deviation.toFixed(2)} %, not by at most ${maxDeviation} %`]
+      : []),
+    ...(isBroken('maxFrequencyError', maxFrequencyError, found.frequencyError)
+      ? [`Frequencies are off by ${found.frequencyError.toFixed(2)} %, not by at most ${maxFrequencyError} %`]
+      : []),
+  ];
+}
+
+/**
+ * Why bodies have more faces than was asked for, because no more edge can collapse, and how to go on where seams are the
+ * reason; '' where none has. `bodies[i]` comes from `originals[i]`. `where`: how the sentence begins.
+ */
+function describeMiss(
+  bodies: StoppedBody[],
+  originals: PreparedBody[],
+  { where, settings, nameOf }: { where: string; settings: Settings; nameOf: TargetWords['nameOf'] },
+): string {
+  const missed = bodies.filter(isExhausted);
+  if (missed.length === 0) return '';
+  const [after, target] = [
+    sum(missed.map(({ faces }) => faces)),
+    sum(missed.map((body) => body.targetFaces)),
+  ];
+  const which =
+    bodies.length > 1 ? ` in ${counted(missed.length, 'body', 'bodies')} of ${bodies.length}` : '';
+  const reasons = describeRefused(stopReport(missed).refused);
+  const isBlocked = bodies.some(
+    (body, i) => isExhausted(body) && isBlockedBySeams(originals[i], body.history.refused, settings),
+  );
+  const cure = isBlocked ? `; ${nameOf('seams')} cross lets them give way` : '';
+  return `${where}Stopped at ${shown(after)} faces${which}, not ${shown(target)}: ${reasons}${cure}`;
+}
+
+const isExhausted = (body: StoppedBody): boolean => stopReport([body]).reason === 'exhausted';
