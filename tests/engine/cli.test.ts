@@ -609,6 +609,28 @@ describe('limber modes', () => {
     expect(modes!.map(({ name }) => name)).toEqual(['bend', 'bend', 'twist', 'stretch', 'bend', 'bend']);
   });
 
+  it('refuses a body without area, and tells of one beside others', () => {
+    const line = 'o line\nv 0 0 9\nv 1 0 9\nv 2 0 9\nf -3 -2 -1\n';
+    writeFileSync(path('line.obj'), line);
+    expect(limber('modes', 'line.obj')).toEqual({
+      code: 1,
+      stdout: '',
+      stderr:
+        'limber: Body "line" has no modes: its triangles have no area, so give it some that are not flat.\n',
+    });
+    writeFileSync(path('lines.obj'), `${toObj(grid(2, 2))}${line}`);
+    const { code, stderr } = limber('modes', 'lines.obj');
+    expect([code, stderr]).toEqual([
+      0,
+      'limber: line: no modes: its triangles have no area, so give it some that are not flat.\n',
+    ]);
+    const held = limber('modes', 'grid.obj', '--pins', 'low:100');
+    expect([held.code, held.stderr]).toEqual([
+      1,
+      'limber: Body "grid" has no modes: its pins hold all that could move, so pin less.\n',
+    ]);
+  });
+
   it('pins the vertices that --pins names, and scales with the material', () => {
     const run = (...flags: string[]) =>
       report(limber('modes', 'grid.obj', '--modes', '2', '--json', ...flags).stdout);

@@ -13,7 +13,7 @@ import type { Report } from '../engine/report/report';
 import { resolveModes } from '../engine/settings/options';
 import type { Settings } from '../engine/settings/options';
 import type { FileRun } from '../engine/stages/file_run';
-import { sizeWarnings } from '../engine/stages/file_warnings';
+import { modesOfFile, sizeWarnings } from '../engine/stages/file_warnings';
 import { STAGES } from '../engine/stages/stages';
 import { exportedMesh } from '../engine/stages/written';
 import type { Arguments } from './arguments';
@@ -35,10 +35,8 @@ export async function runModes(args: Arguments): Promise<number> {
   const prepared = file.prepared(settings);
   session.warnings.push(...sizeWarnings(file, settings, flagOf));
   const weld = stopwatch();
-  const sets = file.usable.map(({ run }) => {
-    file.announce(run);
-    return run.get(STAGES.modes, settings);
-  });
+  const { sets, warnings } = modesOfFile(file, settings);
+  session.warnings.push(...warnings);
   const solved = stopwatch();
   if (args.shapes !== null) await writeShapes(session, file, args.shapes);
   const report = startReport(session.core, 'modes', optionsAsUsed(args), prepared);

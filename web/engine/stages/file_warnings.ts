@@ -7,6 +7,8 @@ import { ofBody, ofSentence } from '../report/warnings';
 import type { Warning } from '../report/warnings';
 import { wordNote } from '../settings/options';
 import type { Note, SettingName, Settings } from '../settings/options';
+import type { PreparedBody } from '../body/prepared_body';
+import type { ModeSet } from '../core/core';
 import type { BodyRun } from './body_run';
 import type { FileRun } from './file_run';
 import type { RunSettings } from './stage';
@@ -48,3 +50,28 @@ export function resultWarnings(run: BodyRun, settings: RunSettings): Warning[] {
     ...(large === '' ? [] : [ofBody(name, large)]),
   ];
 }
+
+/**
+ * The modes of every body that takes part, and warnings of those that have none. Throws an Error with one sentence where no body has
+ * any.
+ */
+export function modesOfFile(file: FileRun, settings: Settings): { sets: ModeSet[]; warnings: Warning[] } {
+  const all = file.usable.map(({ run }) => {
+    file.announce(run);
+    return { prepared: run.get(STAGES.prepared, settings), set: run.get(STAGES.modes, settings) };
+  });
+  const still = all.filter(({ set }) => set.modes.length === 0).map(({ prepared }) => prepared);
+  if (still.length === all.length)
+    throw new Error(`Body "${still[0].body.name}" has no modes: ${whyStill(still[0])}.`);
+  const warnings = still.map((body) => ofBody(body.body.name, `no modes: ${whyStill(body)}`));
+  return { sets: all.map(({ set }) => set), warnings };
+}
+
+/** Degrees; smaller angles are those of triangles without area. */
+const NO_ANGLE = 1e-6;
+
+/** A clause on why a body has no modes, and the cure. */
+const whyStill = ({ quality }: PreparedBody): string =>
+  quality.meanMinAngle < NO_ANGLE
+    ? 'its triangles have no area, so give it some that are not flat'
+    : 'its pins hold all that could move, so pin less';

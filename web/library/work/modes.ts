@@ -9,7 +9,7 @@ import type { Report } from '../../engine/report/report';
 import { resolveModes } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import type { FileRun } from '../../engine/stages/file_run';
-import { sizeWarnings } from '../../engine/stages/file_warnings';
+import { modesOfFile, sizeWarnings } from '../../engine/stages/file_warnings';
 import { inspectBody } from '../../engine/stages/prepared';
 import { STAGES } from '../../engine/stages/stages';
 import { exportedMesh } from '../../engine/stages/written';
@@ -32,10 +32,8 @@ export async function findModes(
   const prepared = file.prepared(settings);
   session.warn(sizeWarnings(file, settings, nameOf));
   const weld = session.lap();
-  const sets = file.usable.map(({ run }) => {
-    file.announce(run);
-    return run.get(STAGES.modes, settings);
-  });
+  const { sets, warnings } = modesOfFile(file, settings);
+  session.warn(warnings);
   const modes = session.lap();
   const shapes = writesShapes ? await shapesGlb(session, file) : null;
   const report: Report = {
