@@ -205,3 +205,28 @@ describe('a glTF without triangles', () => {
     expect(notes[0]).toBe('6 meshes ("a", "b", "c", "d", "e", ...) have no triangles');
   });
 });
+
+it('a texture without any image is left out with a note, also one that is transformed', async () => {
+  const [{ bytes }, data] = triangleAt('data.bin', 'wood.png');
+  const json = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
+  const transform = { KHR_texture_transform: { scale: [2, 2] } };
+  const open = (textures: object[]) =>
+    openModel([
+      textFile(
+        'test.gltf',
+        JSON.stringify({
+          ...json,
+          ...{ textures, extensionsUsed: ['KHR_texture_transform', 'MY_image'] },
+          materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0, extensions: transform } } }],
+        }),
+      ),
+      data,
+    ]);
+  const note = '1 texture has no image that can be read: the result is without it';
+  for (const texture of [{}, { extensions: { MY_image: { source: 0 } } }]) {
+    const model = await open([texture]);
+    expect(model.notes.at(-1)).toBe(note);
+    expect((await validateGlb(await exportGlb(model, [null], { fields: false }))).errors).toBe(0);
+  }
+  expect((await open([{ source: 0 }, {}])).notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is not there/);
+});

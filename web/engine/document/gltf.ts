@@ -16,6 +16,7 @@ import {
 } from './checks/gltf_bounds';
 import { canBeCarried, foreignOf } from './extensions/foreign';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
+import { withoutImageless } from './checks/imageless';
 import { jsonMistake } from '../core/json_mistake';
 import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
@@ -36,7 +37,7 @@ export async function openGltf(
   const jsonDocument = jsonDocumentOf(file, format);
   const stored = storedIn(jsonDocument.json);
   const foreign = foreignOf(jsonDocument.json);
-  const json = withKnownNames(jsonDocument.json);
+  const { json, notes: imageless } = withoutImageless(withKnownNames(jsonDocument.json));
   // The reader refuses to read what it does not know, even where nothing has to be known of it.
   const required = json.extensionsRequired?.filter((extension) => SUPPORTED_EXTENSIONS.has(extension));
   jsonDocument.json = required ? { ...json, extensionsRequired: required } : json;
@@ -50,7 +51,7 @@ export async function openGltf(
     format,
     document,
     bodies,
-    notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing)],
+    notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing), ...imageless],
     unread: [],
     stored,
     foreign,

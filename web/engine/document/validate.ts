@@ -81,12 +81,20 @@ function readCompanion(files: SourceFile[], uri: string): Promise<Uint8Array> {
 /** At most as many characters of the validator's words stand in a sentence. */
 const LONGEST = 160;
 
+/** Errors that never keep a file from being read. */
+const HARMLESS = ['IO_ERROR', 'ACCESSOR_MIN_MISMATCH', 'ACCESSOR_MAX_MISMATCH'];
+
 /** The first error that the validator finds in the JSON of a file, and where; null if it finds none. Buffers are not read. */
 export async function firstProblem(json: object): Promise<string | null> {
   try {
     const { validateBytes } = await importValidator();
     const bytes = new TextEncoder().encode(JSON.stringify(json));
-    const { issues } = await validateBytes(bytes, { format: 'gltf', maxIssues: 100, writeTimestamp: false });
+    const { issues } = await validateBytes(bytes, {
+      format: 'gltf',
+      maxIssues: 100,
+      writeTimestamp: false,
+      ignoredIssues: HARMLESS,
+    });
     const error = issues.messages.find(({ severity }) => severity === ERROR);
     if (!error) return null;
     return `${error.message.replace(/\.$/, '').replace(/\. /g, ': ')} at ${error.pointer ?? '/'}`.slice(

@@ -74,7 +74,7 @@ function obstacleTo(path: (string | number)[], holder: Json, value: unknown): st
 }
 
 /** Whether a texture has an image besides that of an extension that is not understood. */
-const hasImage = ({ source, extensions }: GLTF.ITexture): boolean =>
+export const hasImage = ({ source, extensions }: GLTF.ITexture): boolean =>
   source !== undefined || Object.keys(extensions ?? {}).some((name) => !isForeign(name));
 
 /** The first key that names accessors and the like by number; null without one. */

@@ -1,0 +1,37 @@
+/** Textures that have no image which can be read: materials are shown without them. */
+
+import type { GLTF } from '@gltf-transform/core';
+import { counted } from '../../core/words';
+import { hasImage } from '../extensions/foreign';
+
+/** The JSON whose materials name no texture without an image, as the reader expects, and a note on those that they named. */
+export function withoutImageless(json: GLTF.IGLTF): { json: GLTF.IGLTF; notes: string[] } {
+  const isImageless = (json.textures ?? []).map((texture) => !hasImage(texture));
+  if (!json.materials || !isImageless.includes(true)) return { json, notes: [] };
+  const named = new Set<number>();
+  const materials = json.materials.map((material) => without(material, isImageless, named));
+  return { json: { ...json, materials }, notes: describe(named.size) };
+}
+
+/** A copy of a value in which objects such as "normalTexture": { "index": 3 } are left out where texture 3 has no image. */
+function without<T>(value: T, isImageless: boolean[], named: Set<number>): T {
+  if (typeof value !== 'object' || value === null) return value;
+  if (Array.isArray(value)) return value.map((entry) => without<unknown>(entry, isImageless, named)) as T;
+  const kept = Object.entries(value).filter(([key, child]) => {
+    const index = /texture$/i.test(key) ? (child as { index?: number } | null)?.index : undefined;
+    const isLeftOut = index !== undefined && isImageless[index];
+    if (isLeftOut) named.add(index);
+    return !isLeftOut;
+  });
+  return Object.fromEntries(
+    kept.map(([key, child]) => [key, without<unknown>(child, isImageless, named)]),
+  ) as T;
+}
+
+function describe(count: number): string[] {
+  if (count === 0) return [];
+  const has = count === 1 ? 'has' : 'have';
+  return [
+    `${counted(count, 'texture')} ${has} no image that can be read: the result is without ${count === 1 ? 'it' : 'them'}`,
+  ];
+}
