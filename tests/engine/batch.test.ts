@@ -3,6 +3,7 @@
 import { spawn, spawnSync } from 'node:child_process';
 import {
   appendFileSync,
+  copyFileSync,
   existsSync,
   mkdirSync,
   mkdtempSync,
@@ -231,8 +232,12 @@ describe('limber batch', () => {
         'two\nlines.glb',
       ],
     ]);
-    expect(limber('batch', 'src', 'src/ring.obj', 'out2').stderr).toMatch(/are both ring\.obj below SRC/);
-    expect(limber('batch', 'nothing', 'out3').stderr).toMatch(/nothing does not exist/);
+    expect(limber('batch', 'src/ring.obj', 'src/sheets/../ring.obj', 'out2', '--quiet').code).toBe(0);
+    expect(readdirSync(path('out2'))).toContain('ring.glb');
+    mkdirSync(path('others'));
+    copyFileSync(path('src/ring.obj'), path('others/ring.obj'));
+    expect(limber('batch', 'src', 'others', 'out3').stderr).toMatch(/are both ring\.obj below SRC/);
+    expect(limber('batch', 'nothing', 'out4').stderr).toMatch(/nothing does not exist/);
   });
 
   it('says what a word of version 0.1 means now, once for all assets', () => {

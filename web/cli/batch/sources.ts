@@ -5,7 +5,7 @@ import { basename, dirname, join, relative, sep } from 'node:path';
 import { isModelName } from '../../engine/document/format_names';
 import { isPathPattern, matchesPath } from '../../engine/settings/path_pattern';
 import { UsageError } from '../failure';
-import { findAt, nameKey } from '../output_files/identity';
+import { findAt, identityOf, nameKey } from '../output_files/identity';
 
 export interface Source {
   /** its path below SRC, parted by slashes: what patterns of a configuration and the summary call it */
@@ -16,7 +16,7 @@ export interface Source {
 
 /**
  * The models of all words: folders, patterns and files. Hidden files and folders, and all below `out`, are left out. In the order
- * of their names. Throws UsageError where a word has none, or two would have one name.
+ * of their names, each file once under each name. Throws UsageError where a word has none, or two would have one name.
  */
 export function findSources(words: string[], out: string): Source[] {
   const all = words.flatMap((word) => {
@@ -25,12 +25,19 @@ export function findSources(words: string[], out: string): Source[] {
       throw new UsageError(`${word} has no model: name a folder, pattern or file of models.`);
     return found;
   });
-  const sorted = all.sort((a, b) => (a.name < b.name ? -1 : Number(a.name > b.name)));
+  const sorted = eachOnce(all.sort((a, b) => (a.name < b.name ? -1 : Number(a.name > b.name))));
   const twice = sorted.findIndex((source, i) => i > 0 && source.name === sorted[i - 1].name);
   if (twice < 0) return sorted;
   const [a, b] = [sorted[twice - 1], sorted[twice]];
   throw new UsageError(`${a.path} and ${b.path} are both ${a.name} below SRC: work on them in two batches.`);
 }
+
+/** Several words can lead to one file. */
+const eachOnce = (sorted: Source[]): Source[] =>
+  sorted.filter(({ name, path }, i) => {
+    const before = sorted[i - 1] as Source | undefined;
+    return before?.name !== name || identityOf(before.path) !== identityOf(path);
+  });
 
 function sourcesOf(word: string, out: string): Source[] {
   // A file can be called like a pattern.
