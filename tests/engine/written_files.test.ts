@@ -161,6 +161,17 @@ describe('a file of the user', () => {
     expect(existsSync(path('odd.glb'))).toBe(true);
   });
 
+  it('ends with the code of a broken pipe, without a word, where the reader of stdout has left', () => {
+    const script = `(sleep 0.2; "${process.execPath}" "${program}" "$@"; echo $? > code) | true`;
+    for (const words of ['optimize plain.obj - --quiet', 'inspect plain.obj --json', '--help', '--version']) {
+      const { stderr } = spawnSync('bash', ['-c', `${script}; sleep 0.1`, 'bash', ...words.split(' ')], {
+        cwd: folder,
+        encoding: 'utf8',
+      });
+      expect([words, readFileSync(path('code'), 'utf8'), stderr]).toEqual([words, '141\n', '']);
+    }
+  });
+
   it('is not said to be written where stdout fails', () => {
     const run = (words: string) =>
       spawnSync('sh', ['-c', `"${process.execPath}" "${program}" ${words} > /dev/full`], {

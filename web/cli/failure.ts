@@ -4,7 +4,11 @@ import { OPTIONS, SettingError, wordNote, wordSentence } from '../engine/setting
 import type { Note, SettingName } from '../engine/settings/options';
 import { plain } from './words';
 
-export const EXIT = { done: 0, badInput: 1, missedTarget: 2, internal: 3 } as const;
+export const EXIT = {
+  ...{ done: 0, badInput: 1, missedTarget: 2, internal: 3 },
+  /** as shells call a program that SIGPIPE has ended */
+  brokenPipe: 141,
+} as const;
 
 /** What the user can cure: a wrong flag, file or mesh. The engine throws SettingError and plain Errors for these. */
 export class UsageError extends Error {}

@@ -5,6 +5,9 @@ import { VERSION } from '../engine/core/version';
 import { ASSET_WORKER } from './batch/asset_worker';
 
 const words = process.argv.slice(2);
+process.stdout.on('error', (error) => {
+  void import('./program').then(({ endWithoutOutput }) => endWithoutOutput(error));
+});
 if (words.length === 1 && ['--version', '-v', 'version'].includes(words[0])) {
   process.stdout.write(`${VERSION}\n`);
 } else if (words[0] === ASSET_WORKER) {

@@ -26,15 +26,16 @@ const dryRun = async (args: Arguments): Promise<number> =>
 export async function startProgram(words: string[]): Promise<void> {
   // Errors of the threads in the pool arrive here.
   process.on('uncaughtException', (error) => exit(fail(error)));
-  process.stdout.once('error', (error: NodeJS.ErrnoException) => {
-    // What is still to be written fails as well.
-    process.stdout.on('error', () => {});
-    // The reader of the output may close it early.
-    if (error.code === 'EPIPE') process.exit(EXIT.done);
-    process.exitCode = fail(fileError('stdout cannot be written', error));
-    exit(process.exitCode);
-  });
   exit(await runWords(words).catch(fail));
+}
+
+/** Ends the program where stdout fails: without a word where its reader has closed it early, as `head` does. */
+export function endWithoutOutput(error: NodeJS.ErrnoException): void {
+  if (error.code === 'EPIPE') process.exit(EXIT.brokenPipe);
+  // What is still to be written fails as well.
+  if (process.exitCode !== undefined) return;
+  process.exitCode = fail(fileError('stdout cannot be written', error));
+  exit(process.exitCode);
 }
 
 async function runWords(words: string[]): Promise<number> {
