@@ -171,6 +171,63 @@ describe('a written file', () => {
     }
   });
 
+  it.each(['quantized', 'meshopt'] as const)(
+    'in %s keeps differences of morph targets, which have signs and reach beyond 1',
+    async (compression) => {
+      const document = startDocument();
+      const { positions } = torus();
+      const count = positions.length / 3;
+      const vectors = (length: number, size: 3 | 4) =>
+        floats(
+          document,
+          size === 3 ? 'VEC3' : 'VEC4',
+          Array.from({ length: size * count }, (_, i) => length * Math.sin(i)),
+        );
+      const primitive = primitiveOf(document, torus())
+        .setAttribute(
+          'NORMAL',
+          floats(
+            document,
+            'VEC3',
+            positions.map((_, i) => Number(i % 3 === 2)),
+          ),
+        )
+        .setAttribute('COLOR_0', floats(document, 'VEC4', new Float32Array(4 * count).fill(0.5)));
+      const targets = [
+        { NORMAL: vectors(1.9, 3).setSparse(true) },
+        { NORMAL: vectors(0.9, 3), COLOR_0: vectors(0.5, 4), POSITION: floats(document, 'VEC3', positions) },
+      ];
+      for (const attributes of targets) {
+        const target = document.createPrimitiveTarget();
+        for (const [semantic, values] of Object.entries(attributes)) target.setAttribute(semantic, values);
+        primitive.addTarget(target);
+      }
+      addMesh(document, 'ring', [primitive]).setWeights([0, 0]);
+      const model = await openModel([await glbFile(document)]);
+      const [plain] = await write(model, 'a.glb', { compression: 'none', keepsOrder: true });
+      const [file] = await write(model, 'a.glb', { compression, keepsOrder: true });
+      expect((await validateFiles([file]))!.errors).toBe(0);
+      const read = async (one: SourceFile) => {
+        const [mesh] = (await openModel([one])).document.getRoot().listMeshes();
+        return mesh.listPrimitives()[0].listTargets();
+      };
+      const [wanted, found] = [await read(plain), await read(file)];
+      for (const [i, semantic] of [
+        [0, 'NORMAL'],
+        [1, 'NORMAL'],
+        [1, 'COLOR_0'],
+      ] as const) {
+        const [a, b] = [wanted, found].map((all) => all[i].getAttribute(semantic)!);
+        const off = Array.from({ length: a.getCount() }, (_, v) => {
+          const [x, y] = [a.getElement(v, []), b.getElement(v, [])];
+          return Math.max(...x.map((value, c) => Math.abs(value - y[c])));
+        });
+        expect(Math.max(...off)).toBeLessThan(0.002);
+      }
+      expect(found[1].getAttribute('NORMAL')!.getArray()).toBeInstanceOf(Int16Array);
+    },
+  );
+
   it('keeps the weights of a node with morph targets that has children or is animated', async () => {
     const document = startDocument();
     const target = document

@@ -11,6 +11,7 @@ import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io
 import { INSTANCING } from '../placements';
 import { hasQuantized } from '../prune';
 import { moveToChild } from './child_nodes';
+import { quantizeDifferences, takeOutUnmoving } from './quantized_targets';
 
 /** How the vertices of a file are stored. */
 export interface Stored {
@@ -103,11 +104,11 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
   if (!keepsNodes) giveOwnNodes(document);
   // Numbers of custom attributes can be of any size, such as masses in kg, which few bits would make 0.
   const pattern = keepsNodes ? /^(?!POSITION|_)/ : /^(?!_)/;
-  const putBack = takeOutUnplaced(document);
-  await document.transform(
-    quantize({ pattern, patternTargets: pattern, quantizePosition: bits, cleanup: false }),
-  );
-  putBack();
+  const patternTargets = keepsNodes ? /^(?!)/ : /^POSITION$/;
+  quantizeDifferences(document);
+  const putBack = [takeOutUnplaced(document), takeOutUnmoving(document)];
+  await document.transform(quantize({ pattern, patternTargets, quantizePosition: bits, cleanup: false }));
+  for (const undo of putBack.reverse()) undo();
   // glTF-Transform declares it where positions are integers, and so not where they stay floats beside integers.
   if (hasQuantized(document)) document.createExtension(KHRMeshQuantization).setRequired(true);
   for (const list of [document.getRoot().listSkins(), document.getRoot().listAccessors()])
