@@ -91,6 +91,29 @@ describe('what a format leaves out', () => {
     expect(lostIn('glb', document)).toEqual([]);
   });
 
+  it('names opacity of vertex colours, tangents, colours of some parts, and primitives of points and lines', () => {
+    const document = startDocument();
+    const everywhere = (...values: number[]) =>
+      floats(
+        document,
+        'VEC4',
+        [0, 1, 2, 3].flatMap(() => values),
+      );
+    const sheet = () => primitiveOf(document, grid(1, 1));
+    const full = sheet().setAttribute('TANGENT', everywhere(1, 0, 0, 1));
+    addMesh(document, 'A', [full, sheet().setMode(1)]);
+    expect(lostIn('ply', document)).toEqual(['1 primitive of points or lines', 'tangents']);
+    full.setAttribute('COLOR_0', everywhere(1, 1, 1, 1));
+    expect(lostIn('obj', document)).toEqual(['1 primitive of points or lines', 'tangents']);
+    full.setAttribute('COLOR_0', everywhere(1, 1, 1, 0.5));
+    addMesh(document, 'B', [sheet()]);
+    const opacity = ['1 primitive of points or lines', 'opacity of vertex colours', 'tangents'];
+    expect(lostIn('obj', document)).toEqual(opacity);
+    document.getRoot().listMeshes()[0].addPrimitive(sheet());
+    expect(lostIn('obj', document)).toContain('vertex colours, which not all parts of a mesh have');
+    expect(lostIn('glb', document)).toEqual([]);
+  });
+
   it('names meshes of other scenes and of none', () => {
     const document = startDocument();
     for (const name of ['A', 'B', 'C']) addMesh(document, name, [primitiveOf(document, grid(1, 1))]);

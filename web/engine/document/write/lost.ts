@@ -1,47 +1,77 @@
 /** What formats without a scene cannot hold of a document, in plain words. */
 
-import type { Document, Material, Primitive } from '@gltf-transform/core';
+import type { Document, Material, Primitive, Root } from '@gltf-transform/core';
 import { counted } from '../../core/words';
 import type { WrittenFormat } from '../../core/output_words';
 import { shownNodes } from './flat_meshes';
+
+/** glTF's primitive mode. */
+const TRIANGLES = 4;
 
 /** What a file of this format leaves out of the document; empty for GLB and glTF. */
 export function lostIn(format: WrittenFormat, document: Document): string[] {
   if (format === 'glb' || format === 'gltf') return [];
   const root = document.getRoot();
-  const primitives = root.listMeshes().flatMap((mesh) => mesh.listPrimitives());
+  const all = root.listMeshes().flatMap((mesh) => mesh.listPrimitives());
+  const primitives = all.filter(hasTriangles);
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length));
   const materials = root.listMaterials();
-  const count = (length: number, one: string) => (length > 0 ? [counted(length, one)] : []);
+  const count = (length: number, one: string, many?: string) =>
+    length > 0 ? [counted(length, one, many)] : [];
   const shown = new Set(shownNodes(document).map((node) => node.getMesh()));
   const hidden = root.listMeshes().filter((mesh) => !shown.has(mesh)).length;
   return [
-    ...(hidden > 0 ? [counted(hidden, 'mesh outside of the scene', 'meshes outside of the scene')] : []),
+    ...count(hidden, 'mesh outside of the scene', 'meshes outside of the scene'),
+    ...count(all.length - primitives.length, 'primitive of points or lines', 'primitives of points or lines'),
     ...count(root.listSkins().length, 'skin'),
     ...count(targets, 'morph target'),
     ...count(root.listAnimations().length, 'animation'),
     ...count(root.listCameras().length, 'camera'),
-    ...lostAttributes(format, primitives),
+    ...lostAttributes(format, root),
     ...(format === 'ply' ? count(materials.length, 'material') : [...new Set(materials.flatMap(unsaid))]),
     ...root.listExtensionsUsed().map(({ extensionName }) => `extension ${extensionName}`),
   ];
 }
 
-/** OBJ and PLY have one set of UVs and of colours; colours, and in PLY UVs, only where all primitives that share a list have them. */
-function lostAttributes(format: WrittenFormat, primitives: Primitive[]): string[] {
+/** OBJ and PLY have one set of UVs and of colours, and what a list of vertices has, all of its primitives have. */
+function lostAttributes(format: WrittenFormat, root: Root): string[] {
+  const ofMeshes = root.listMeshes().map((mesh) => mesh.listPrimitives().filter(hasTriangles));
+  const primitives = ofMeshes.flat();
   const names = new Set(primitives.flatMap((primitive) => primitive.listSemantics()));
-  const further = (kind: string) =>
-    [...names].filter((name) => name.startsWith(kind) && !name.endsWith('_0'));
-  const isPartial = (name: string) =>
-    names.has(name) && !primitives.every((primitive) => primitive.getAttribute(name) !== null);
+  const further = (kind: string) => [...names].some((name) => name.startsWith(kind) && !name.endsWith('_0'));
+  const lists = format === 'ply' ? [primitives] : ofMeshes;
+  const isPartial = (name: string) => lists.some((list) => isOfSome(list, name));
   const one = (isLost: boolean, words: string) => (isLost ? [words] : []);
   return [
+    ...one(format === 'ply' && isPartial('NORMAL'), 'normals, which not all of its meshes have'),
     ...one(format === 'ply' && isPartial('TEXCOORD_0'), 'UVs, which not all of its meshes have'),
-    ...one(format === 'ply' && isPartial('COLOR_0'), 'vertex colours, which not all of its meshes have'),
-    ...one(further('TEXCOORD_').length > 0, 'further sets of UVs'),
-    ...one(further('COLOR_').length > 0, 'further sets of vertex colours'),
+    ...one(
+      isPartial('COLOR_0'),
+      `vertex colours, which not all ${format === 'ply' ? 'of its meshes' : 'parts of a mesh'} have`,
+    ),
+    ...one(primitives.some(hasOpacity), 'opacity of vertex colours'),
+    ...one(names.has('TANGENT'), 'tangents'),
+    ...one(further('TEXCOORD_'), 'further sets of UVs'),
+    ...one(further('COLOR_'), 'further sets of vertex colours'),
     ...[...names].filter((name) => name.startsWith('_')).map((name) => `attribute ${name}`),
   ];
+}
+
+const hasTriangles = (primitive: Primitive): boolean => (primitive.getMode() as number) >= TRIANGLES;
+
+/** Whether some have the attribute, and not all. */
+function isOfSome(primitives: Primitive[], name: string): boolean {
+  const having = primitives.filter((primitive) => primitive.getAttribute(name) !== null).length;
+  return having > 0 && having < primitives.length;
+}
+
+/** Whether a vertex is not opaque. */
+function hasOpacity(primitive: Primitive): boolean {
+  const colours = primitive.getAttribute('COLOR_0');
+  if (!colours || colours.getElementSize() < 4) return false;
+  const element: number[] = [];
+  for (let v = 0; v < colours.getCount(); ++v) if (colours.getElement(v, element)[3] < 1) return true;
+  return false;
 }
 
 /** Textures that MTL has no word for. */
