@@ -331,6 +331,27 @@ describe('levels in one file', () => {
     expect([b, c]).toEqual([a / 2, 0]);
     expect((await validateFiles(files))!.errors).toBe(0);
   });
+
+  it('leave a node where it is of which nothing but weights is animated, and move it where it is', async () => {
+    const nodesOf = async (path: 'weights' | 'translation') => {
+      const document = startDocument();
+      const target = document
+        .createPrimitiveTarget('up')
+        .setAttribute('POSITION', floats(document, 'VEC3', torus().positions));
+      addMesh(document, 'a', [primitiveOf(document, torus()).addTarget(target)]).setWeights([0]);
+      moveNode(document, document.getRoot().listNodes()[0]);
+      const [channel] = document.getRoot().listAnimations()[0].listChannels();
+      if (path === 'weights') {
+        channel.setTargetPath(path);
+        channel.getSampler()!.setOutput(floats(document, 'SCALAR', [0, 1]));
+      }
+      const model = await openModel([await glbFile(document)]);
+      const files = await write(model, 'a.glb', { style: 'msft', levels: 1 });
+      expect((await validateFiles(files))!.errors).toBe(0);
+      return (await openModel(files)).document.getRoot().listNodes().length;
+    };
+    expect([await nodesOf('weights'), await nodesOf('translation')]).toEqual([2, 3]);
+  });
 });
 
 describe('the name of a file', () => {

@@ -14,6 +14,22 @@ export const channelsOf = (
     .flatMap((animation) => animation.listChannels().map((channel) => ({ animation, channel })))
     .filter(({ channel }) => channel.getTargetNode() === node);
 
+/** Whether a node does more than to place its mesh, which another node could not take over: weights it could. */
+export function moreThanMesh(document: Document): (node: Node) => boolean {
+  const root = document.getRoot();
+  const channels = root.listAnimations().flatMap((animation) => animation.listChannels());
+  const moving = channels.filter((channel) => channel.getTargetPath() !== 'weights');
+  const parts = new Set([
+    ...root.listSkins().flatMap((skin) => skin.listJoints()),
+    ...moving.map((channel) => channel.getTargetNode()),
+  ]);
+  return (node) =>
+    parts.has(node) ||
+    node.getCamera() !== null ||
+    node.listExtensions().length > 0 ||
+    node.listChildren().length > 0;
+}
+
 /** Gives the mesh of a node, its skin, its weights and its instances to a child of this name at the same place. */
 export function moveToChild(document: Document, node: Node, name = ''): Node {
   const child = document

@@ -1,6 +1,6 @@
 /** How vertices are stored in a file, and how a document is made to be written so. */
 
-import type { Accessor, Document, GLTF, Mesh, Node, Primitive } from '@gltf-transform/core';
+import type { Accessor, Document, GLTF, Mesh, Primitive } from '@gltf-transform/core';
 import {
   EXTMeshoptCompression,
   KHRDracoMeshCompression,
@@ -10,7 +10,7 @@ import type { Compression } from '../../core/output_words';
 import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
 import { INSTANCING } from '../placements';
 import { hasQuantized } from '../prune';
-import { moveToChild } from './child_nodes';
+import { moreThanMesh, moveToChild } from './child_nodes';
 import { quantizeDifferences, takeOutUnmoving } from './quantized_targets';
 
 /** How the vertices of a file are stored. */
@@ -155,17 +155,7 @@ function makeFloat(accessor: Accessor): void {
  */
 function giveOwnNodes(document: Document): void {
   const root = document.getRoot();
-  const channels = root.listAnimations().flatMap((animation) => animation.listChannels());
-  const moving = channels.filter((channel) => channel.getTargetPath() !== 'weights');
-  const parts = new Set([
-    ...root.listSkins().flatMap((skin) => skin.listJoints()),
-    ...moving.map((channel) => channel.getTargetNode()),
-  ]);
-  const isMore = (node: Node) =>
-    parts.has(node) ||
-    node.getCamera() !== null ||
-    node.listExtensions().length > 0 ||
-    node.listChildren().length > 0;
+  const isMore = moreThanMesh(document);
   for (const node of root.listNodes()) {
     if (!node.getMesh() || node.getSkin() || node.getExtension(INSTANCING) || !isMore(node)) continue;
     moveToChild(document, node, node.getName());

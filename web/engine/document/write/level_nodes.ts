@@ -3,7 +3,7 @@
 import type { Document, GLTF, Mesh, Node } from '@gltf-transform/core';
 import type { LevelStyle } from '../../core/output_words';
 import { INSTANCING } from '../placements';
-import { channelsOf, moveToChild } from './child_nodes';
+import { channelsOf, moreThanMesh, moveToChild } from './child_nodes';
 
 const MSFT_LOD = 'MSFT_lod';
 /** Lines of a picture in which a level is to differ from the first by one line at most. */
@@ -38,9 +38,10 @@ export function insertLevels(
 ): LevelNodes[] {
   const root = document.getRoot();
   const inserted: LevelNodes[] = [];
+  const isMore = moreThanMesh(document);
   for (const { mesh, further, deviations } of meshes)
     for (const node of root.listNodes().filter((one) => one.getMesh() === mesh)) {
-      const first = style === 'nodes' || isMore(document, node) ? moveToChild(document, node) : node;
+      const first = style === 'nodes' || isMore(node) ? moveToChild(document, node) : node;
       const name = node.getName() || mesh.getName();
       if (first !== node || style === 'nodes') first.setName(`${name}_LOD0`);
       const others = further.map((own, i) => copyNode(document, first, own, `${name}_LOD${i + 1}`));
@@ -49,18 +50,6 @@ export function insertLevels(
       if (style === 'msft') inserted.push({ nodes, coverage: coverageOf(deviations) });
     }
   return inserted;
-}
-
-/** Whether the node does more than to show its mesh, which the nodes of further levels could not do as well. */
-function isMore(document: Document, node: Node): boolean {
-  const root = document.getRoot();
-  return (
-    node.listChildren().length > 0 ||
-    node.getCamera() !== null ||
-    node.listExtensions().length > 0 ||
-    root.listSkins().some((skin) => skin.listJoints().includes(node)) ||
-    channelsOf(document, node).length > 0
-  );
 }
 
 /** A node at the same place with another mesh; animations of weights move it as well. */
