@@ -1,6 +1,8 @@
 /** What the corners of a body carry besides positions, as simplification needs it: charts, and values that cost. */
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
+import { AlikeMembers, mixed } from '../core/alike';
+import type { LastMembers } from '../core/alike';
 import { NONE } from '../core/core';
 import type { Charts, CornerSources, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
@@ -255,29 +257,44 @@ function classifyNormals(entries: Entries, mesh: TriangleMesh): Classes | null {
 function classify(entries: Entries, mesh: TriangleMesh, lists: Compared[][]): Classes {
   const { first, ofCorner, spanOfTriangle } = entries;
   const classOfEntry = new Uint32Array(first[first.length - 1]).fill(NONE);
-  const firstClass = new Uint32Array(vertexCount(mesh)).fill(NONE);
-  const nextClass: number[] = [];
   const representative: number[] = [];
+  const spanOfClass: number[] = [];
+  const hashOf = (entry: number, span: number) => hashAt(lists[span], entry - first[span]);
+  const classes = new AlikeMembers(
+    (one) => hashOf(representative[one], spanOfClass[one]),
+    lastOf(new Uint32Array(vertexCount(mesh)).fill(NONE)),
+  );
   const wedges = ofCorner.map((entry, corner) => {
     if (classOfEntry[entry] !== NONE) return classOfEntry[entry];
     const vertex = mesh.triangles[corner];
     const span = spanOfTriangle[Math.floor(corner / 3)];
     const isSame = (other: number) =>
-      other >= first[span] &&
-      other < first[span + 1] &&
-      agree(lists[span], entry - first[span], other - first[span]);
-    let found = firstClass[vertex];
-    while (found !== NONE && !isSame(representative[found])) found = nextClass[found];
+      spanOfClass[other] === span &&
+      agree(lists[span], entry - first[span], representative[other] - first[span]);
+    let found = classes.find(vertex, isSame, () => hashOf(entry, span));
     if (found === NONE) {
-      found = representative.length;
       representative.push(entry);
-      nextClass.push(firstClass[vertex]);
-      firstClass[vertex] = found;
+      spanOfClass.push(span);
+      found = classes.add(vertex);
     }
     classOfEntry[entry] = found;
     return found;
   });
   return { wedges, count: representative.length };
+}
+
+/** The last class of each vertex. */
+const lastOf = (classes: Uint32Array): LastMembers => ({
+  get: (vertex) => classes[vertex],
+  set: (vertex, one) => (classes[vertex] = one),
+});
+
+/** Equal for entries that agree. */
+function hashAt(list: Compared[], entry: number): number {
+  let hash = 0;
+  for (const { array, size, from, to } of list)
+    for (let c = from; c < to; ++c) hash = mixed(hash, array[size * entry + c]);
+  return hash;
 }
 
 function agree(list: Compared[], a: number, b: number): boolean {

@@ -1,6 +1,7 @@
 /** Splits the vertices of a result where the attributes of their corners differ, as a primitive of the file needs. */
 
 import type { Primitive } from '@gltf-transform/core';
+import { AlikeMembers, mixed } from '../core/alike';
 import { NONE } from '../core/core';
 import type { CornerSources, TriangleMesh } from '../core/core';
 import type { VertexSources } from './blend';
@@ -61,9 +62,10 @@ class VertexGathering {
   private readonly indices: Uint32Array;
   private readonly vertices = new GrowingIndices();
   private readonly shares = new GrowingFloats();
-  /** per vertex of the mesh: the last vertex written there; `previous` links it to the earlier ones */
-  private readonly lastAt = new Map<number, number>();
-  private readonly previous = new GrowingIndices();
+  /** the vertices that are written, by vertices of the mesh */
+  private readonly written = new AlikeMembers((one) =>
+    this.hashOf(this.normalKey.at(one), this.shares.at(3 * one), this.vertices.view().subarray(3 * one)),
+  );
   private readonly normals: ArrayLike<number> | null;
   private readonly compared: { array: ArrayLike<number>; size: number }[];
   private added = 0;
@@ -93,18 +95,15 @@ class VertexGathering {
   add(corner: number, normalKey: number): void {
     const vertex = this.sourced.mesh.triangles[corner];
     this.lookAt(corner);
-    const last = this.lastAt.get(vertex) ?? NONE;
-    let found = last;
-    while (found !== NONE && !this.isSame(found, normalKey)) found = this.previous.at(found);
+    const isSame = (written: number) => this.isSame(written, normalKey);
+    let found = this.written.find(vertex, isSame, () => this.hashOf(normalKey, this.share[0], this.vertex));
     if (found === NONE) {
-      found = this.vertexOfMesh.length;
       this.vertexOfMesh.push(vertex);
       this.firstCorner.push(corner);
       this.normalKey.push(normalKey);
       for (const source of this.vertex) this.vertices.push(source);
       this.shares.push3(this.share[0], this.share[1], this.share[2]);
-      this.previous.push(last);
-      this.lastAt.set(vertex, found);
+      found = this.written.add(vertex);
     }
     this.indices[this.added++] = found;
   }
@@ -141,6 +140,18 @@ class VertexGathering {
       return this.looksLike(this.vertices.at(at), this.vertex[0], normalKey === CARRIED);
     for (let k = 0; k < 3; ++k) if (this.vertices.at(at + k) !== this.vertex[k]) return false;
     return true;
+  }
+
+  /** Equal for vertices that are the same; `share`: of the first of its sources. */
+  private hashOf(normalKey: number, share: number, vertices: Uint32Array): number {
+    const hash = mixed(normalKey, share);
+    if (share !== 1) return mixed(mixed(hash, vertices[0]), vertices[1]);
+    const carried = this.normals && normalKey === CARRIED ? [{ array: this.normals, size: 3 }] : [];
+    return [...this.compared, ...carried].reduce((all, { array, size }) => {
+      let own = all;
+      for (let c = 0; c < size; ++c) own = mixed(own, array[size * vertices[0] + c]);
+      return own;
+    }, hash);
   }
 
   /** Whether two vertices of the primitive have equal attributes and displacements. */
