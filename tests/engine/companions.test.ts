@@ -230,3 +230,21 @@ it('a texture without any image is left out with a note, also one that is transf
   }
   expect((await open([{ source: 0 }, {}])).notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is not there/);
 });
+
+it('data in an address are read in base64, in any case, and as escaped bytes', async () => {
+  const [{ bytes }, data] = triangleAt('data.bin', 'wood.png');
+  const text = new TextDecoder().decode(bytes);
+  const letters = String.fromCharCode(...data.bytes);
+  const escaped = [...data.bytes].map((byte) => `%${byte.toString(16).padStart(2, '0')}`).join('');
+  const addresses = [
+    `data:application/octet-stream;base64,${btoa(letters)}`,
+    `data:;BASE64,${btoa(letters)}`,
+    `data:application/octet-stream,${escaped}`,
+    `data:,${escaped.replaceAll('%3f', '?')}`,
+  ];
+  const [{ bodies }] = [await openModel(triangleAt('data.bin', 'wood.png'))];
+  for (const address of addresses) {
+    const model = await openModel([textFile('test.gltf', text.replace('data.bin', address))]);
+    expect(model.bodies[0].positions).toEqual(bodies[0].positions);
+  }
+});

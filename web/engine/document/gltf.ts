@@ -4,6 +4,7 @@ import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
 import { findWrongMesh } from './checks/gltf_meshes';
 import { addCompanions, companionPaths, describeMissing } from './checks/companions';
+import { inBase64 } from './checks/data_addresses';
 import { glbParts, describeFirstVersion, isGlb } from './glb';
 import { checkDraco } from './checks/draco_bounds';
 import {
@@ -37,7 +38,7 @@ export async function openGltf(
   const jsonDocument = jsonDocumentOf(file, format);
   const stored = storedIn(jsonDocument.json);
   const foreign = foreignOf(jsonDocument.json);
-  const { json, notes: imageless } = withoutImageless(withKnownNames(jsonDocument.json));
+  const { json, notes: imageless } = withoutImageless(inBase64(withKnownNames(jsonDocument.json)));
   // The reader refuses to read what it does not know, even where nothing has to be known of it.
   const required = json.extensionsRequired?.filter((extension) => SUPPORTED_EXTENSIONS.has(extension));
   jsonDocument.json = required ? { ...json, extensionsRequired: required } : json;
