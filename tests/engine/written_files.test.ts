@@ -1,6 +1,7 @@
 /** What is written as OBJ and ZIP, what a file leaves out, and files of the user beside those of limber. */
 
 import { execFileSync, spawnSync } from 'node:child_process';
+import { EXTMeshGPUInstancing } from '@gltf-transform/extensions';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -9,6 +10,7 @@ import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { writeZip } from '../../web/engine/document/archive/write_zip';
 import { openModel } from '../../web/engine/document/open';
 import { lostIn } from '../../web/engine/document/write/lost';
+import { writePly } from '../../web/engine/document/write/ply_file';
 import { writeObj } from '../../web/engine/document/write/obj_files';
 import { filesOf } from '../../web/library/models';
 import { SQUARE_OBJ, textFile } from './support/files';
@@ -40,6 +42,34 @@ describe('a written OBJ', () => {
     const text = written(document);
     expect(text.match(/^v /gm)).toHaveLength(401 * 401);
     expect(text.match(/^f /gm)).toHaveLength(2 * 400 * 400);
+  });
+
+  it('has every instance of a node at its place, and a PLY all of them', () => {
+    const document = startDocument();
+    addMesh(document, 'sheet', [primitiveOf(document, grid(1, 1))]);
+    const [node] = document.getRoot().listNodes();
+    const instances = document
+      .createExtension(EXTMeshGPUInstancing)
+      .createInstancedMesh()
+      .setAttribute('TRANSLATION', floats(document, 'VEC3', [10, 0, 0, 20, 0, 0]))
+      .setAttribute('ROTATION', floats(document, 'VEC4', [0, 0, 0, 1, 0, 0, 2, 2]))
+      .setAttribute('SCALE', floats(document, 'VEC3', [1, 1, 1, 2, 1, 1]));
+    node.setTranslation([0, 0, 5]).setExtension('EXT_mesh_gpu_instancing', instances);
+    expect(lostIn('obj', document)).toEqual([]);
+    const text = written(document);
+    expect(text.match(/^o .*/gm)).toEqual(['o sheet', 'o sheet 2']);
+    const points = [...text.matchAll(/^v (.*)$/gm)].map(([, line]) =>
+      line.split(' ').map((word) => Math.round(100 * Number(word)) / 100),
+    );
+    const { positions } = grid(1, 1);
+    const own = Array.from({ length: 4 }, (_, v) => [...positions.subarray(3 * v, 3 * v + 3)]);
+    // The second is twice as wide, and turned by a right angle about z.
+    expect(points).toEqual([
+      ...own.map(([x, y, z]) => [x + 10, y, z + 5]),
+      ...own.map(([x, y, z]) => [20 - y, 2 * x, z + 5]),
+    ]);
+    const ply = new TextDecoder('latin1').decode(writePly(document, 'a.ply', 'Limber 1').bytes);
+    expect(ply).toMatch(/element vertex 8\nproperty/);
   });
 
   it('has a skin in its pose with all influences of its vertices', () => {

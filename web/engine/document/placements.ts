@@ -36,20 +36,58 @@ function squareOf(matrix: ArrayLike<number>): number {
 
 /** The sum of the squared scales of the node's instances; 1 where it is not instanced. */
 function instances(node: Node): number {
-  const extension = node.getExtension(INSTANCING) as {
-    listSemantics(): string[];
-    getAttribute(semantic: string): Accessor | null;
-  } | null;
-  const [first] = extension?.listSemantics() ?? [];
-  if (!extension || first === undefined) return 1;
+  const extension = instancesOf(node);
+  const count = countOf(extension);
+  if (!extension || count === null) return 1;
   const scales = extension.getAttribute('SCALE');
-  if (!scales) return extension.getAttribute(first)!.getCount();
+  if (!scales) return count;
   let sum = 0;
   for (let i = 0; i < scales.getCount(); ++i) {
     const [x, y, z]: number[] = scales.getElement(i, [] as number[]);
     sum += (x * x + y * y + z * z) / 3;
   }
   return sum;
+}
+
+/** What EXT_mesh_gpu_instancing says of a node, by attribute. */
+interface Instances {
+  listSemantics(): string[];
+  getAttribute(semantic: string): Accessor | null;
+}
+
+const instancesOf = (node: Node): Instances | null => node.getExtension(INSTANCING) as Instances | null;
+
+/** The number of instances; null where the node is not instanced. */
+function countOf(extension: Instances | null): number | null {
+  const [first] = extension?.listSemantics() ?? [];
+  return extension && first !== undefined ? extension.getAttribute(first)!.getCount() : null;
+}
+
+/**
+ * The matrix in the scene of each instance of a node, column by column; its own where it has none, or a skin, which places all of them.
+ */
+export function worldMatricesOf(node: Node): number[][] {
+  const [extension, world] = [instancesOf(node), [...node.getWorldMatrix()]];
+  const count = countOf(extension);
+  if (count === null || node.getSkin()) return [world];
+  const values = (semantic: string, i: number, otherwise: number[]): number[] =>
+    extension!.getAttribute(semantic)?.getElement(i, []) ?? otherwise;
+  return Array.from({ length: count }, (_, i) => {
+    const [moved, scaled] = [values('TRANSLATION', i, [0, 0, 0]), values('SCALE', i, [1, 1, 1])];
+    return product(world, composed(moved, values('ROTATION', i, [0, 0, 0, 1]), scaled));
+  });
+}
+
+/** The matrix that scales, then turns by a quaternion of any length, then moves. */
+function composed(moved: number[], [a, b, c, d]: number[], scaled: number[]): number[] {
+  const length = Math.sqrt(a * a + b * b + c * c + d * d) || 1;
+  const [x, y, z, w] = [a, b, c, d].map((value) => value / length);
+  const turned = [
+    [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
+    [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],
+    [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
+  ];
+  return [...turned.flatMap((axis, k) => [...axis.map((value) => scaled[k] * value), 0]), ...moved, 1];
 }
 
 /**
@@ -70,7 +108,7 @@ export function nodeMatrixOf(document: Document, mesh: Mesh): number[] {
 const IDENTITY: readonly number[] = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** a b of two matrices of four columns. */
-function product(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
+export function product(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
   return Array.from({ length: 16 }, (_, i) => {
     const [row, column] = [i % 4, 4 * Math.floor(i / 4)];
     return [0, 1, 2, 3].reduce((sum, k) => sum + a[4 * k + row] * b[column + k], 0);

@@ -3,6 +3,7 @@
 import type { Accessor, Document, Material, Node, Primitive } from '@gltf-transform/core';
 import { length3 } from '../../core/exact_math';
 import { influenceSets } from '../influences';
+import { product, worldMatricesOf } from '../placements';
 
 /** The triangles of one primitive at one place. Vertices are numbered as in the primitive. */
 export interface FlatPrimitive {
@@ -19,7 +20,7 @@ export interface FlatPrimitive {
   material: Material | null;
 }
 
-/** All primitives of triangles that one node shows. */
+/** All primitives of triangles that one node shows, or one of its instances. */
 export interface FlatMesh {
   name: string;
   primitives: FlatPrimitive[];
@@ -40,23 +41,37 @@ export function shownNodes(document: Document): Node[] {
   return scene ? nodes : root.listNodes();
 }
 
-/** What the shown nodes have of triangles; skins in their pose at rest. */
+/** The most triangles that a file without instances may have: 1.3 GB of PLY. */
+const MOST_TRIANGLES = 1e8;
+const TOO_MANY = 'The scene repeats its meshes too often for OBJ and PLY: write .glb or .gltf.';
+
+/**
+ * What the shown nodes and their instances have of triangles; skins in their pose at rest. Throws an Error with one sentence where
+ * these are too many to be written one by one.
+ */
 export function flatMeshes(document: Document): FlatMesh[] {
+  let room = MOST_TRIANGLES;
   return shownNodes(document).flatMap((node) => {
     const mesh = node.getMesh();
     const shown = mesh?.listPrimitives().filter(hasTriangles) ?? [];
     if (!mesh || shown.length === 0) return [];
-    const primitives = shown.map((primitive) => flatten(primitive, node));
-    return [{ name: mesh.getName() || node.getName() || 'mesh', primitives }];
+    const name = mesh.getName() || node.getName() || 'mesh';
+    return worldMatricesOf(node).map((world) => {
+      const primitives = shown.map((primitive) => flatten(primitive, node, world));
+      for (const { triangles } of primitives) room -= triangles.length / 3;
+      if (room < 0) throw new Error(TOO_MANY);
+      return { name, primitives };
+    });
   });
 }
 
 const hasTriangles = (primitive: Primitive): boolean =>
   (primitive.getMode() as number) >= TRIANGLES && (primitive.getAttribute('POSITION')?.getCount() ?? 0) > 0;
 
-function flatten(primitive: Primitive, node: Node): FlatPrimitive {
+/** `world`: of the node, or of one of its instances. */
+function flatten(primitive: Primitive, node: Node, world: Matrix): FlatPrimitive {
   const position = primitive.getAttribute('POSITION')!;
-  const matrixAt = matricesOf(primitive, node);
+  const matrixAt = matricesOf(primitive, node, world);
   const positions = transformed(position, (v) => matrixAt(v), 1);
   const normal = primitive.getAttribute('NORMAL');
   const normals = normal && transformed(normal, (v) => cofactors(matrixAt(v)), 0);
@@ -75,10 +90,9 @@ function flatten(primitive: Primitive, node: Node): FlatPrimitive {
 }
 
 /** Per vertex the matrix that places it: of its joints where it has some, otherwise of the node. */
-function matricesOf(primitive: Primitive, node: Node): (v: number) => Matrix {
+function matricesOf(primitive: Primitive, node: Node, world: Matrix): (v: number) => Matrix {
   const skin = node.getSkin();
   const sets = influenceSets(primitive);
-  const world = node.getWorldMatrix();
   if (!skin || sets.length === 0) return () => world;
   const bind = skin.getInverseBindMatrices();
   const matrices = skin
@@ -100,14 +114,6 @@ function matricesOf(primitive: Primitive, node: Node): (v: number) => Matrix {
     }
     return mixed;
   };
-}
-
-function product(a: Matrix, b: Matrix): number[] {
-  const result = new Array<number>(16).fill(0);
-  for (let column = 0; column < 4; ++column)
-    for (let row = 0; row < 4; ++row)
-      for (let k = 0; k < 4; ++k) result[4 * column + row] += a[4 * k + row] * b[4 * column + k];
-  return result;
 }
 
 /** `w`: 1 for points, 0 for directions. */

@@ -3,6 +3,7 @@
 import type { Document, Material, Primitive, Root } from '@gltf-transform/core';
 import { counted } from '../../core/words';
 import type { WrittenFormat } from '../../core/output_words';
+import { INSTANCING } from '../placements';
 import { shownNodes } from './flat_meshes';
 
 /** glTF's primitive mode. */
@@ -29,7 +30,10 @@ export function lostIn(format: WrittenFormat, document: Document): string[] {
     ...count(root.listCameras().length, 'camera'),
     ...lostAttributes(format, root),
     ...(format === 'ply' ? count(materials.length, 'material') : [...new Set(materials.flatMap(unsaid))]),
-    ...root.listExtensionsUsed().map(({ extensionName }) => `extension ${extensionName}`),
+    ...root
+      .listExtensionsUsed()
+      .filter(({ extensionName }) => extensionName !== INSTANCING)
+      .map(({ extensionName }) => `extension ${extensionName}`),
   ];
 }
 
