@@ -1,6 +1,7 @@
 import { NodeIO } from '@gltf-transform/core';
 import type { Document, Mesh } from '@gltf-transform/core';
-import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
+import { ALL_EXTENSIONS, KHRMaterialsVolume } from '@gltf-transform/extensions';
+import type { Volume } from '@gltf-transform/extensions';
 import { strFromU8, unzipSync, zipSync } from 'fflate';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
@@ -227,6 +228,27 @@ describe('a written file', () => {
       expect(found[1].getAttribute('NORMAL')!.getArray()).toBeInstanceOf(Int16Array);
     },
   );
+
+  it('has a material with a thickness once, in the scale of its integers, and one that nothing shows', async () => {
+    const document = startDocument();
+    const volume = document.createExtension(KHRMaterialsVolume).createVolume().setThicknessFactor(0.5);
+    const glass = document.createMaterial('glass').setExtension('KHR_materials_volume', volume);
+    document.createMaterial('spare');
+    addMesh(document, 'ring', [primitiveOf(document, torus()).setMaterial(glass)]);
+    const [file] = await write(await openModel([await glbFile(document)]), 'a.glb', {
+      compression: 'quantized',
+    });
+    const root = (await openModel([file])).document.getRoot();
+    const materials = root.listMaterials();
+    expect(materials.map((material) => material.getName()).sort()).toEqual(['glass', 'spare']);
+    const [scale] = root
+      .listNodes()
+      .find((node) => node.getMesh())!
+      .getScale();
+    const written = materials.find((material) => material.getName() === 'glass')!;
+    const own = written.getExtension<Volume>('KHR_materials_volume')!;
+    expect(own.getThicknessFactor() * scale).toBeCloseTo(0.5, 5);
+  });
 
   it('keeps the weights of a node with morph targets that has children or is animated', async () => {
     const document = startDocument();

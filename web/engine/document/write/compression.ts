@@ -1,6 +1,6 @@
 /** How vertices are stored in a file, and how a document is made to be written so. */
 
-import type { Accessor, Document, GLTF, Mesh, Primitive } from '@gltf-transform/core';
+import type { Accessor, Document, GLTF, Mesh, Primitive, Property } from '@gltf-transform/core';
 import {
   EXTMeshoptCompression,
   KHRDracoMeshCompression,
@@ -106,15 +106,23 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
   const pattern = keepsNodes ? /^(?!POSITION|_)/ : /^(?!_)/;
   const patternTargets = keepsNodes ? /^(?!)/ : /^POSITION$/;
   quantizeDifferences(document);
+  const shown = document
+    .getRoot()
+    .listMaterials()
+    .filter((material) => !isUnused(material, document.getRoot()));
   const putBack = [takeOutUnplaced(document), takeOutUnmoving(document)];
   await document.transform(quantize({ pattern, patternTargets, quantizePosition: bits, cleanup: false }));
   for (const undo of putBack.reverse()) undo();
   // glTF-Transform declares it where positions are integers, and so not where they stay floats beside integers.
   if (hasQuantized(document)) document.createExtension(KHRMeshQuantization).setRequired(true);
-  for (const list of [document.getRoot().listSkins(), document.getRoot().listAccessors()])
-    for (const property of list)
-      if (property.listParents().every((parent) => parent === document.getRoot())) property.dispose();
+  const root = document.getRoot();
+  // Skins and materials with a thickness were replaced by copies in the scale of the integers.
+  for (const list of [root.listSkins(), root.listAccessors(), shown])
+    for (const property of list) if (isUnused(property, root)) property.dispose();
 }
+
+const isUnused = (property: Property, root: Property): boolean =>
+  property.listParents().every((parent) => parent === root);
 
 /** Takes primitives without positions, which cannot be quantized, out of their meshes until the result is called. */
 function takeOutUnplaced(document: Document): () => void {
