@@ -248,3 +248,24 @@ it('data in an address are read in base64, in any case, and as escaped bytes', a
     expect(model.bodies[0].positions).toEqual(bodies[0].positions);
   }
 });
+
+it('a second image for viewers without WebP is left out with a note, and WebP is required then', async () => {
+  const [{ bytes }, data] = triangleAt('data.bin', 'wood.png');
+  const json = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
+  const model = await openModel([
+    textFile(
+      'test.gltf',
+      JSON.stringify({
+        ...json,
+        extensionsUsed: ['EXT_texture_webp'],
+        images: [{ uri: 'wood.png' }, { uri: 'wood.webp' }],
+        textures: [{ source: 0, extensions: { EXT_texture_webp: { source: 1 } } }],
+      }),
+    ),
+    data,
+    { name: 'wood.webp', bytes: new TextEncoder().encode('RIFF....WEBPVP8 ') },
+  ]);
+  expect(model.notes.at(-1)).toBe('1 texture has a second image for older viewers, which is left out');
+  const written = jsonOf(await exportGlb(model, [null], { fields: false }));
+  expect(written).toMatchObject({ extensionsRequired: ['EXT_texture_webp'] });
+});

@@ -17,6 +17,7 @@ import {
 } from './checks/gltf_bounds';
 import { canBeCarried, foreignOf } from './extensions/foreign';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
+import { describeFallbacks, requireFormats } from './checks/fallback_images';
 import { withoutImageless } from './checks/imageless';
 import { jsonMistake } from '../core/json_mistake';
 import { counted } from '../core/words';
@@ -43,16 +44,18 @@ export async function openGltf(
   const required = json.extensionsRequired?.filter((extension) => SUPPORTED_EXTENSIONS.has(extension));
   jsonDocument.json = required ? { ...json, extensionsRequired: required } : json;
   checkNodes(file.name, json.nodes);
+  const fallbacks = describeFallbacks(json);
   const missing = addCompanions(file, jsonDocument, files);
   const size = sizeOf(file.bytes.length, jsonDocument);
   const document = await readDocument(file, jsonDocument, size);
+  requireFormats(document);
   const { bodies, notes } = bodiesOfDocument(file.name, document, mostCorners(size));
   return {
     name: file.name,
     format,
     document,
     bodies,
-    notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing), ...imageless],
+    notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing), ...imageless, ...fallbacks],
     unread: [],
     stored,
     foreign,
