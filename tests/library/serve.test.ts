@@ -68,3 +68,10 @@ it('notes what shapes of modes leave out', async () => {
   const { notes } = (message as { value: { notes: string[] } }).value;
   expect(notes.at(-1)).toMatch(/^the shapes leave out 1 morph target\b/);
 });
+
+it('notes that bodies without area have no modes to compare', async () => {
+  const line = [textFile('line.obj', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n')];
+  const message = await answered({ command: 'compare', models: [line, line], options: { threads: 1 } });
+  const { notes } = (message as { value: { notes: string[] } }).value;
+  expect(notes).toEqual(['line: no modes to compare: its triangles have no area']);
+});

@@ -8,6 +8,7 @@ import { meshReport } from '../engine/report/mesh_report';
 import { startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import { worstFidelity, worstSurface } from '../engine/report/result_report';
+import { comparedWarnings } from '../engine/stages/file_warnings';
 import { compareTopology, measureDistance } from '../engine/stages/measure';
 import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
@@ -30,6 +31,7 @@ export async function runCompare(args: Arguments): Promise<number> {
     prepareFile(session, model).prepared(args.settings),
   );
   checkPairs(args, originals, others);
+  session.warnings.push(...comparedWarnings(originals));
   const weld = stopwatch();
   const pairs = originals.map((original, i) => ({ original, other: others[i] }));
   const distances = pairs.map(({ original, other }) => measureDistance(session.core, original, other.mesh));

@@ -70,8 +70,16 @@ export function modesOfFile(file: FileRun, settings: Settings): { sets: ModeSet[
 /** Degrees; smaller angles are those of triangles without area. */
 const NO_ANGLE = 1e-6;
 
+const hasNoArea = ({ quality }: PreparedBody): boolean => quality.meanMinAngle < NO_ANGLE;
+
+/** Bodies that have no modes which could be compared, so that their errors of 0 say nothing. */
+export const comparedWarnings = (originals: PreparedBody[]): Warning[] =>
+  originals
+    .filter(hasNoArea)
+    .map(({ body }) => ofBody(body.name, 'no modes to compare: its triangles have no area'));
+
 /** A clause on why a body has no modes, and the cure. */
-const whyStill = ({ quality }: PreparedBody): string =>
-  quality.meanMinAngle < NO_ANGLE
+const whyStill = (body: PreparedBody): string =>
+  hasNoArea(body)
     ? 'its triangles have no area, so give it some that are not flat'
     : 'its pins hold all that could move, so pin less';

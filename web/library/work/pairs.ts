@@ -13,6 +13,7 @@ import { settingsFile, writeSettings } from '../../engine/report/settings_file';
 import { solverReport } from '../../engine/report/solver_report';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { FileRun } from '../../engine/stages/file_run';
+import { comparedWarnings } from '../../engine/stages/file_warnings';
 import { measureDistance } from '../../engine/stages/measure';
 import { STAGES } from '../../engine/stages/stages';
 import { tuneMesh, tuneSettings } from '../../engine/stages/tune';
@@ -37,6 +38,7 @@ export async function compareModels(session: WorkSession, [first, second]: Model
   const load = session.lap();
   const [originals, others] = models.map((model) => session.prepare(model).prepared(settings));
   checkPairs(originals, others);
+  session.warn(comparedWarnings(originals));
   const weld = session.lap();
   const distances = originals.map((original, i) => measureDistance(core, original, others[i].mesh));
   const measure = session.lap();
