@@ -47,7 +47,8 @@ vi.mock('../../web/app/state/replay', () => ({ isReplayed: { value: true }, star
 
 const rest = () => new Promise((resolve) => setTimeout(resolve));
 const mesh = { positions: new Float32Array(9), triangles: Uint32Array.of(0, 1, 2) };
-const file = { name: 'a.obj', bodies: [{ faces: 1 }], first: 0 };
+const contents = { vertexColours: false, materials: 0, animations: 0 };
+const file = { name: 'a.obj', bodies: [{ faces: 1 }], first: 0, contents };
 
 /** What the worker answers. The tests do not look at other results. */
 const ANSWERS: Record<string, () => unknown> = {
