@@ -38,7 +38,7 @@ it('numbers of a link are kept where the file has such a body, with no more face
 });
 
 it('Undo and Redo take the faces of single bodies back and forth, also after a reload', () => {
-  startUndo();
+  startUndo(() => {});
   wants.own.value = own;
   expect(canUndo()).toBe(true);
   restoreUndo(readUndo());

@@ -15,7 +15,7 @@ const why = 'The body has no such vertex.';
 const refusing = { call: () => Promise.reject(new Error(why)) } as unknown as Client;
 const pins = () => wants.settings.value.pins;
 
-beforeAll(startUndo);
+beforeAll(() => startUndo(() => {}));
 
 beforeEach(() => {
   changeSettings({ pins: '', keep: '' });

@@ -2,6 +2,7 @@
 
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
 import { cancelRunning, openFiles, resume, showBody, startRunner } from '../../web/app/state/runner';
+import { redo, restoreUndo, undo } from '../../web/app/state/undo';
 import { changeSettings, isHistoryStale, results, status, view, wants } from '../../web/app/state/store';
 import { twin } from '../../web/app/state/twin';
 import { CANCELLED } from '../../web/app/worker/protocol';
@@ -185,6 +186,38 @@ it('an answer that has left the worker as another body is chosen is not shown fo
     expect(results.modes.value).toBeNull();
     await answerUntil(null);
     expect(results.modes.value).toMatchObject({ shapes: [] });
+  }));
+
+it('Undo takes back changes made at other bodies, and shows the body of each', () =>
+  withBodies([{ faces: 1 }, { faces: 1 }], async () => {
+    await open();
+    const { density } = wants.settings.value;
+    const now = () => [wants.settings.value.density, wants.body.value];
+    changeSettings({ density: density + 1 });
+    showBody(1);
+    changeSettings({ density: density + 2 });
+    showBody(0);
+    const seen = [undo, undo, redo, redo].map((go) => {
+      go();
+      return now();
+    });
+    expect(seen).toEqual([
+      [density + 1, 1],
+      [density, 0],
+      [density + 1, 0],
+      [density + 2, 1],
+    ]);
+    expect(await answerUntil(null)).toContain('prepare');
+  }));
+
+it('a step of Undo for a body that cannot be used takes its change back, and the shown body stays', () =>
+  withBodies([{ faces: 1, health: null }, { faces: 1 }], async () => {
+    file.first = 1;
+    await open().finally(() => (file.first = 0));
+    restoreUndo({ past: ['density=1234', 'density=1234&body=9'], future: [] });
+    undo();
+    undo();
+    expect([wants.settings.value.density, wants.body.value]).toEqual([1234, 1]);
   }));
 
 it('a link for a body that cannot be used shows the first one that can', () =>

@@ -4,7 +4,7 @@ import { batch, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { fileDefaults } from '../../engine/settings/options';
 import { CANCELLED } from '../worker/protocol';
-import type { OpenedFile } from '../worker/protocol';
+import type { OpenedBody, OpenedFile } from '../worker/protocol';
 import { WorkerLost } from './client';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
@@ -89,11 +89,14 @@ function take(file: OpenedFile, wanted: Wanted | undefined): void {
 
 /** The body that is asked for, where the file has it and it can be used. */
 const bodyToShow = ({ bodies, first }: OpenedFile, wanted: Wanted | undefined): number =>
-  wanted && wanted.body < bodies.length && bodies[wanted.body].health !== null ? wanted.body : first;
+  wanted && isUsable(bodies, wanted.body) ? wanted.body : first;
 
-/** Shows another body of the same file. */
+const isUsable = (bodies: OpenedBody[], index: number): boolean =>
+  index < bodies.length && bodies[index].health !== null;
+
+/** Shows another body of the same file, where it has it and it can be used. */
 export function showBody(index: number): void {
-  if (index === wants.body.value) return;
+  if (index === wants.body.value || !isUsable(results.file.value?.bodies ?? [], index)) return;
   if (running) client.cancel();
   const ofBody = tasks.filter((task) => !task.isOfFile);
   for (const task of ofBody) done.delete(task);
@@ -103,7 +106,6 @@ export function showBody(index: number): void {
     results.mesh.value = null;
     wants.body.value = index;
   });
-  forgetUndo();
 }
 
 /** The user's cancel: a file is not opened, and a task waits until its inputs change or `resume` is called. */
@@ -123,7 +125,7 @@ export function resume(): void {
 
 /** Runs tasks from now on whenever the state asks for them. */
 export function startRunner(): void {
-  startUndo();
+  startUndo(showBody);
   startReplay();
   startResting();
   void startSaving();

@@ -1,4 +1,7 @@
-/** Undo and Redo of what the user wants: the settings, with pins and paint among them, and the kept faces, also of single bodies. */
+/**
+ * Undo and Redo of what the user wants: the settings, with pins and paint among them, and the kept faces, also of single bodies. One
+ * history serves the whole file: a step shows the body again that was shown when the change was made.
+ */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
 import { defaultSettings } from '../../engine/settings/options';
@@ -14,16 +17,23 @@ interface Wanted {
   own: OwnFaces;
 }
 
+interface UndoStep extends Wanted {
+  /** the body that was shown when this was changed to what follows it, or back */
+  body: number;
+}
+
 /** Changes of one control that follow each other within this time are one, so that a slider is undone as a whole. */
 const TOGETHER_MILLISECONDS = 700;
 const MOST_STEPS = 200;
 /** Changes of these settings are never joined: each stroke and each pin is undone alone. */
 const SINGLE = new Set(['pins', 'paint', 'lock']);
 
-const past = signal<Wanted[]>([]);
-const future = signal<Wanted[]>([]);
+const past = signal<UndoStep[]>([]);
+const future = signal<UndoStep[]>([]);
 let present: Wanted = currentWants();
-let last = { what: '', at: 0 };
+const NO_CHANGE = { what: '', at: 0, body: 0 };
+let last = NO_CHANGE;
+let show: (body: number) => void = () => {};
 
 /** What can be undone and redone as texts of links, the newest last. */
 export interface UndoText {
@@ -36,23 +46,23 @@ const MOST_SAVED = 40;
 
 /** Follows the signals of what can be undone. */
 export function readUndo(): UndoText {
-  const texts = (steps: Wanted[]): string[] => steps.slice(-MOST_SAVED).map(textOf);
+  const texts = (steps: UndoStep[]): string[] => steps.slice(-MOST_SAVED).map(textOf);
   return { past: texts(past.value), future: texts(future.value) };
 }
 
 /** The texts are kept with the steps, as paint makes them long and every change saves them all. */
-const textOfStep = new WeakMap<Wanted, string>();
+const textOfStep = new WeakMap<UndoStep, string>();
 
-function textOf(step: Wanted): string {
-  const text = textOfStep.get(step) ?? writeLink({ ...step, body: 0, file: null });
+function textOf(step: UndoStep): string {
+  const text = textOfStep.get(step) ?? writeLink({ ...step, file: null });
   textOfStep.set(step, text);
   return text;
 }
 
 /** Call this once the files that the steps are for are open. */
 export function restoreUndo(saved: UndoText): void {
-  const steps = (texts: string[]): Wanted[] =>
-    texts.map((text) => readLink(text) ?? { settings: defaultSettings(), faces: null, own: new Map() });
+  const none = { settings: defaultSettings(), faces: null, own: new Map(), body: 0 };
+  const steps = (texts: string[]): UndoStep[] => texts.map((text) => readLink(text) ?? none);
   batch(() => {
     past.value = steps(saved.past);
     future.value = steps(saved.future);
@@ -62,22 +72,23 @@ export function restoreUndo(saved: UndoText): void {
 export const canUndo = () => past.value.length > 0;
 export const canRedo = () => future.value.length > 0;
 
-/** Starts to record changes. */
-export function startUndo(): void {
+/** Starts to record changes. `showBody` shows the body of a step that is taken back or made again. */
+export function startUndo(showBody: (body: number) => void): void {
+  show = showBody;
   effect(() => {
     const next = { settings: wants.settings.value, faces: wants.faces.value, own: wants.own.value };
     untracked(() => remember(next));
   });
 }
 
-/** Forgets all changes, as they do not fit another file or body. */
+/** Forgets all changes, as they do not fit another file. */
 export function forgetUndo(): void {
   batch(() => {
     past.value = [];
     future.value = [];
   });
   present = currentWants();
-  last = { what: '', at: 0 };
+  last = NO_CHANGE;
 }
 
 export const undo = (): void => step(past, future);
@@ -88,12 +99,13 @@ function step(from: typeof past, to: typeof past): void {
   if (!target) return;
   batch(() => {
     from.value = from.value.slice(0, -1);
-    to.value = [...to.value, present];
+    to.value = [...to.value, { ...present, body: target.body }];
     present = target;
-    last = { what: '', at: 0 };
+    last = NO_CHANGE;
     wants.settings.value = target.settings;
     wants.faces.value = target.faces;
     wants.own.value = target.own;
+    show(target.body);
   });
 }
 
@@ -106,24 +118,28 @@ export function withoutUndo(make: () => void): void {
     const before = past.value.at(-1);
     if (!before || differing(before, present).length > 0) return;
     past.value = past.value.slice(0, -1);
-    last = { what: '', at: 0 };
+    last = NO_CHANGE;
   });
 }
 
 function remember(next: Wanted): void {
   const what = differing(present, next).join(' ');
   if (what === '') return;
-  const before = present;
+  const body = wants.body.peek();
+  const before = { ...present, body };
   present = next;
-  const now = performance.now();
-  const isGoingOn = what === last.what && !SINGLE.has(what) && now - last.at < TOGETHER_MILLISECONDS;
-  last = { what, at: now };
+  const change = { what, at: performance.now(), body };
+  const isGoingOn = !SINGLE.has(what) && follows(change, last);
+  last = change;
   if (isGoingOn && past.value.length > 0) return;
   batch(() => {
     past.value = [...past.value, before].slice(-MOST_STEPS);
     future.value = [];
   });
 }
+
+const follows = (next: typeof last, before: typeof last): boolean =>
+  next.what === before.what && next.body === before.body && next.at - before.at < TOGETHER_MILLISECONDS;
 
 /** The names of the settings that differ, 'faces' and 'own'. */
 function differing(a: Wanted, b: Wanted): string[] {
