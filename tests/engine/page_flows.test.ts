@@ -6,7 +6,7 @@ import { defaultSettings } from '../../web/engine/settings/options';
 import { scrolls } from '../../web/app/controls/scroll_keys';
 import { levelAtHeight, nextLevel, readLevels, switchHeights } from '../../web/app/panels/export/level_chain';
 import type { Client } from '../../web/app/state/client';
-import { exportRequest, pictureName } from '../../web/app/state/export_request';
+import { exportedKey, exportRequest, genericKey, pictureName } from '../../web/app/state/export_request';
 import { compareMethods } from '../../web/app/state/methods';
 import { freeName, modelGroups } from '../../web/app/state/queue/model_groups';
 import { describeOutcome, describeProgress, summaryCsv } from '../../web/app/state/queue/summary';
@@ -44,6 +44,15 @@ test('a format of several files that a link names is packed, and what a format c
     lodStyle: 'files',
   });
 });
+
+test.each([{ seconds: 3 }, { scenario: 'sway' }, { friction: 0.1 }] as const)(
+  'an export is made again for its report where that alone names %o, and the files for all engines are not',
+  (change) => {
+    const [exported, generic] = [exportedKey(), genericKey()];
+    changeSettings(change);
+    expect([exportedKey() === exported, genericKey() === generic]).toEqual([false, true]);
+  },
+);
 
 test('levels are shares, percents or numbers of faces that the share leads back to', () => {
   expect(readLevels('0.25, 10 %', 1792)).toEqual([0.25, 0.1]);

@@ -1,6 +1,6 @@
 /** What is asked of the export, and keys for what comes of it. */
 
-import { drawnLevelsKey, exportKey } from '../worker/protocol';
+import { drawnLevelsKey, exportedFilesKey, exportKey } from '../worker/protocol';
 import type { ExportRequest } from '../worker/protocol';
 import { exportFormatOf, exportSettings } from '../worker/export_form';
 import { keptFaces, results, wants } from './store';
@@ -25,5 +25,8 @@ export const exportRequest = (): ExportRequest => ({
 
 export const exportedKey = (): string =>
   exportKey(exportSettings(wants.settings.value), keptFaces.value, exportRequest());
+
+export const genericKey = (): string =>
+  exportedFilesKey(exportSettings(wants.settings.value), keptFaces.value, exportRequest());
 
 export const levelsKey = (): string => drawnLevelsKey(wants.settings.value, keptFaces.value);

@@ -233,7 +233,7 @@ export interface ExportResult {
 export interface GenericFiles {
   /** a ZIP archive: the model, and a settings file for each solver */
   archive: Uint8Array;
-  /** see exportKey */
+  /** see exportedFilesKey */
   key: string;
 }
 
@@ -265,7 +265,7 @@ export interface ResultFile {
 
 /** Text that is equal where two results are the same file. */
 export const resultFileKey = (settings: Settings, kept: KeptFaces): string =>
-  exportKey(drawnSettings(settings), kept, { fields: false, binding: false, output: '' });
+  exportedFilesKey(drawnSettings(settings), kept, { fields: false, binding: false, output: '' });
 
 /** Text that is equal where all levels are the same. */
 export const drawnLevelsKey = resultFileKey;
@@ -276,8 +276,12 @@ export const sharesKey = (settings: Settings, kept: KeptFaces): string =>
     '\n',
   );
 
-/** Text that is equal where two exports are the same. */
-export function exportKey(settings: Settings, kept: KeptFaces, request: ExportRequest): string {
+/** Text that is equal where two exports are the same, with their reports, which quote every setting. */
+export const exportKey = (settings: Settings, kept: KeptFaces, request: ExportRequest): string =>
+  [exportedFilesKey(settings, kept, request), JSON.stringify(settings)].join('\n');
+
+/** The same without their reports. */
+export function exportedFilesKey(settings: Settings, kept: KeptFaces, request: ExportRequest): string {
   const { fields, binding, output } = request;
   const file = { settings, targets: [], fields };
   return [keyOfFile(file), JSON.stringify(kept), binding, output].join('\n');

@@ -32,7 +32,15 @@ import { drawnSettings } from './export_form';
 import { drawLevels, drawOriginal, exportAll, exportForGeneric } from './exporting';
 import { handOver } from './handing_over';
 import { keepAlive } from './life';
-import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, sharesKey } from './protocol';
+import {
+  CANCELLED,
+  CORE_BROKEN,
+  drawnLevelsKey,
+  exportedFilesKey,
+  exportKey,
+  resultFileKey,
+  sharesKey,
+} from './protocol';
 import type { CallProgress, KeptFaces, WorkerApi } from './protocol';
 import type { HandedHistory } from './replay';
 import { strainOverview } from './strain_overview';
@@ -314,7 +322,7 @@ const api: WorkerApi = {
       const fileRequest = requestFile(openedFile(), askedOf(own, kept, fields));
       const files = await exportForGeneric(openedFile(), fileRequest, request);
       const archive = zipSync(files, { level: 6, mtime: ZIP_TIME });
-      return transfer({ archive, key: exportKey(settings, kept, request) }, [archive.buffer]);
+      return transfer({ archive, key: exportedFilesKey(settings, kept, request) }, [archive.buffer]);
     }),
   unpack: (files) =>
     translateErrors(() => {

@@ -5,7 +5,7 @@ import { profileOf } from '../../../engine/solvers/profiles';
 import type { GenericSolver } from '../../../engine/solvers/profiles';
 import { download } from '../../files/files';
 import { say } from '../../language/say';
-import { baseName, exportedKey } from '../../state/export_request';
+import { baseName, genericKey } from '../../state/export_request';
 import { results, shownMesh } from '../../state/store';
 import { twin } from '../../state/twin';
 import './unknown_solver.css';
@@ -56,7 +56,7 @@ function SaveForAll() {
   const { wantsGeneric } = twin;
   const { value: files } = results.genericFiles;
   useEffect(() => {
-    if (!wantsGeneric.value || files?.key !== exportedKey()) return;
+    if (!wantsGeneric.value || files?.key !== genericKey()) return;
     wantsGeneric.value = false;
     download(`${baseName(results.file.value!.name)}-limber-any-engine.zip`, files.archive, 'application/zip');
   }, [wantsGeneric.value, files]);

@@ -6,7 +6,7 @@ import { STAGES } from '../../../engine/stages/stages';
 import { exportSettings } from '../../worker/export_form';
 import { sharesKey } from '../../worker/protocol';
 import { canDrawFile, resultFileNow } from '../drawn_file';
-import { exportedKey, exportRequest, levelsKey } from '../export_request';
+import { exportedKey, exportRequest, genericKey, levelsKey } from '../export_request';
 import { findPins } from '../find_pins';
 import { compareMethods, comparison, comparisonTaskKey } from '../methods';
 import { isReplayed } from '../replay';
@@ -151,7 +151,7 @@ export const tasks: Task[] = [
   {
     what: 'Tuning for all generic solvers',
     key: () =>
-      twin.wantsGeneric.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
+      twin.wantsGeneric.value && restedFaces.value === wantedFaces.value ? afterHistory(genericKey)() : null,
     run: () =>
       client.call((worker) =>
         worker.genericFiles(exportSettings(settings()), keptFaces.value, exportRequest()),
