@@ -4,6 +4,8 @@ import { beforeAll, beforeEach, expect, it, vi } from 'vitest';
 import { WorkerLost } from '../../web/app/state/client';
 import type { Client } from '../../web/app/state/client';
 import { findPins } from '../../web/app/state/find_pins';
+import { refusedLock, setLock } from '../../web/app/state/locks';
+import { setPins } from '../../web/app/state/pins';
 import { changeSettings, results, status, wants } from '../../web/app/state/store';
 import { forgetUndo, readUndo, startUndo, undo, withoutUndo } from '../../web/app/state/undo';
 import { CANCELLED } from '../../web/app/worker/protocol';
@@ -32,6 +34,20 @@ it('refused pins leave no step of Undo', async () => {
   expect(readUndo().past).toHaveLength(1);
   undo();
   expect(pins()).toBe('');
+});
+
+it('Undo and Redo take the sentence on a refused text away, unless it is of the pins that are shown', async () => {
+  changeSettings({ pins: 'vertices:1' });
+  setPins('nothing');
+  setLock('nothing');
+  expect([status.refusedPins.value?.text, refusedLock.value?.text]).toEqual(['nothing', 'nothing']);
+  undo();
+  expect([pins(), status.refusedPins.value, refusedLock.value]).toEqual(['', null, null]);
+  changeSettings({ pins: 'vertices:9' });
+  await findPins(refusing, 0);
+  changeSettings({ keep: 'low:5' });
+  undo();
+  expect([pins(), status.refusedPins.value?.text]).toEqual(['vertices:9', 'vertices:9']);
 });
 
 it('pins of another body stay with a sentence', async () => {

@@ -1,6 +1,7 @@
 /** Which tasks the page runs after a cancel, with a worker that answers when a test says so. */
 
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
+import { refusedLock } from '../../web/app/state/locks';
 import { cancelRunning, openFiles, resume, showBody, startRunner } from '../../web/app/state/runner';
 import { redo, restoreUndo, undo } from '../../web/app/state/undo';
 import { changeSettings, isHistoryStale, results, status, view, wants } from '../../web/app/state/store';
@@ -218,6 +219,19 @@ it('a step of Undo for a body that cannot be used takes its change back, and the
     undo();
     undo();
     expect([wants.settings.value.density, wants.body.value]).toEqual([1234, 1]);
+  }));
+
+it('a sentence on a refused text is not shown for another body, nor for another file', () =>
+  withBodies([{ faces: 1 }, { faces: 1 }], async () => {
+    await open();
+    const refusal = { text: 'vertices:9', why: 'The body has no such vertex.' };
+    status.refusedPins.value = refusal;
+    showBody(1);
+    expect(status.refusedPins.value).toBeNull();
+    refusedLock.value = status.refusedPins.value = refusal;
+    await answerUntil(null);
+    await open();
+    expect([refusedLock.value, status.refusedPins.value]).toEqual([null, null]);
   }));
 
 it('a link for a body that cannot be used shows the first one that can', () =>

@@ -8,6 +8,7 @@ import type { OpenedBody, OpenedFile } from '../worker/protocol';
 import { WorkerLost } from './client';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
+import { refusedLock } from './locks';
 import { fittingOwnFaces } from './own_faces';
 import { startReplay } from './replay';
 import { client, complain, replayer, whileBusy } from './running';
@@ -79,7 +80,7 @@ function take(file: OpenedFile, wanted: Wanted | undefined): void {
     view.animated.value = false;
     if (wanted) wants.settings.value = wanted.settings;
     else changeSettings(fileDefaults());
-    status.refusedPins.value = null;
+    status.refusedPins.value = refusedLock.value = null;
     view.picking.value = false;
     view.brush.value = { ...view.brush.value, tool: null };
     status.notice.value = null;
@@ -105,6 +106,8 @@ export function showBody(index: number): void {
     for (const task of ofBody) task.result.value = null;
     results.mesh.value = null;
     wants.body.value = index;
+    // The sentence is of the other body; where this one refuses them too, it is said again.
+    status.refusedPins.value = null;
   });
 }
 

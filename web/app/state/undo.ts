@@ -7,9 +7,10 @@ import { batch, effect, signal, untracked } from '@preact/signals';
 import { defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { readLink, writeLink } from './link';
+import { refusedLock } from './locks';
 import { ownFacesText } from './own_faces';
 import type { OwnFaces } from './own_faces';
-import { wants } from './store';
+import { status, wants } from './store';
 
 interface Wanted {
   settings: Settings;
@@ -105,8 +106,15 @@ function step(from: typeof past, to: typeof past): void {
     wants.settings.value = target.settings;
     wants.faces.value = target.faces;
     wants.own.value = target.own;
+    forgetRefusals(target.settings);
     show(target.body);
   });
+}
+
+/** A text that was refused is no part of what is shown now, unless the pins are that text: then nothing else tells that they are. */
+function forgetRefusals({ pins }: Settings): void {
+  if (status.refusedPins.value?.text !== pins) status.refusedPins.value = null;
+  refusedLock.value = null;
 }
 
 /** Changes within `make` are not the user's: they become part of the change before them, which is dropped where they take it back. */
