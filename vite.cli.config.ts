@@ -2,7 +2,7 @@ import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 
 // The command line with what it uses of its packages, since one file loads faster than a hundred; a command is loaded when it
-// is run. It finds the core beside the app, in dist/app/wasm/. Draco looks for its own files in its package.
+// is run. It finds the core beside the app, below dist/app/wasm/. Draco looks for its own files in its package.
 export default defineConfig({
   publicDir: false,
   resolve: {

@@ -1,5 +1,6 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
+import { coreFolder } from './scripts/page/core_folder.mjs';
 import { developmentHeaders, headers } from './scripts/page/headers.mjs';
 import { offline } from './scripts/page/offline.mjs';
 
@@ -12,7 +13,7 @@ export default defineConfig({
   resolve: {
     alias: { 'ndarray-pixels': resolve(import.meta.dirname, 'web/engine/document/write/no_pixels.ts') },
   },
-  plugins: [offline()],
+  plugins: [coreFolder(), offline()],
   server: { headers: developmentHeaders },
   preview: { headers },
   build: {

@@ -84,6 +84,22 @@ test(
   },
 );
 
+test('an open page does not take the core of a newer version', { tag: '@full' }, async ({ browser }) => {
+  const context = await browser.newContext({ serviceWorkers: 'block' });
+  const page = await context.newPage();
+  await page.goto(host.address);
+  await reduceSheet(page);
+  const wasm = join(host.folder, 'wasm');
+  const [version, ...others] = readdirSync(wasm);
+  expect(others).toEqual([]);
+  renameSync(join(wasm, version), join(wasm, '0123456789ab'));
+  await goTo(page, 'Test');
+  await expect(page.locator('.twin-alert')).toContainText('reload the page, your work comes back');
+  const notice = page.getByRole('alert').filter({ hasText: 'Reload; your work comes back.' });
+  await expect(notice.getByRole('button', { name: 'Reload' })).toBeVisible();
+  await context.close();
+});
+
 test(
   'a new version waits until the user reloads, and the open page goes on with its own files',
   { tag: '@full' },

@@ -59,7 +59,8 @@ function measureSizes() {
   const assets = readdirSync(join(folder, 'assets')).map((name) => `assets/${name}`);
   const index = readFileSync(join(folder, 'index.html'), 'utf8');
   const first = ['index.html', ...assets.filter((name) => index.includes(name))];
-  const core = ['wasm/limber-threads.wasm', 'wasm/limber-threads.mjs'];
+  const [version] = readdirSync(join(folder, 'wasm'));
+  const core = ['limber-threads.wasm', 'limber-threads.mjs'].map((name) => `wasm/${version}/${name}`);
   const size = (names) =>
     names.reduce((sum, name) => sum + brotliCompressSync(readFileSync(join(folder, name))).length, 0);
   add('page, compressed', `${(size(first) / 1000).toFixed(0)} kB`, '300 kB');

@@ -15,6 +15,7 @@ vi.hoisted(() => {
 });
 
 let workers: FakeWorker[] = [];
+let whyNotLoaded = 'No network.';
 
 /** A worker whose program or core cannot be loaded. */
 class FakeWorker {
@@ -27,7 +28,7 @@ class FakeWorker {
     workers.push(this);
     this.ports.port1.start();
     const load = () => {
-      throw new Error('No network.');
+      throw new Error(whyNotLoaded);
     };
     expose({ load, measure: () => new Promise(() => {}) }, this.ports.port2);
   }
@@ -82,6 +83,13 @@ it('a core that could not be loaded is loaded again by Reset', async () => {
   await vi.waitUntil(() => twin.failure.value === 'No network.');
   reset();
   expect([twin.failure.value, workers.length]).toEqual([null, 2]);
+});
+
+it('a core that is gone from the host asks for a reload', async () => {
+  whyNotLoaded = 'Failed to fetch dynamically imported module: http://localhost/wasm/0123456789ab/a.mjs';
+  reset();
+  await vi.waitUntil(() => twin.failure.value !== null);
+  expect(twin.failure.value).toContain('reload the page, your work comes back');
 });
 
 it('a check whose program cannot be loaded says so', async () => {

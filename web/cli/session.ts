@@ -1,6 +1,6 @@
 /** What every command needs: the loaded core, the opened files, progress and warnings. */
 
-import { existsSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
 import type { Core, Progress } from '../engine/core/core';
 import { loadCore } from '../engine/core/load_core';
 import { openAnyModel, openModel } from '../engine/document/open';
@@ -64,12 +64,19 @@ export const loadSessionCore = (
 
 /** The core is among the assets of the npm package, beside the built page, or in public/ in a working copy. */
 function findWasm(): string {
-  const folders = ['../assets/', '../app/wasm/', '../../public/wasm/'].map(
+  const folders = ['../assets/', ...foldersOfPage(), '../../public/wasm/'].map(
     (folder) => new URL(folder, import.meta.url),
   );
   const found = folders.find((folder) => existsSync(new URL('limber-single.mjs', folder)));
   if (!found) throw new UsageError('The WebAssembly core is missing: run npm run build.');
   return found.href;
+}
+
+/** Where the built page has the core: in a folder named after its bytes. */
+function foldersOfPage(): string[] {
+  const all = '../app/wasm/';
+  const path = new URL(all, import.meta.url);
+  return existsSync(path) ? readdirSync(path).map((version) => `${all}${version}/`) : [];
 }
 
 /** Opens the model of an operand and makes sure that there is room for what comes of it. */

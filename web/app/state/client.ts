@@ -9,6 +9,7 @@ import { carrySettingErrors } from '../worker/errors';
 import { watchLife } from '../worker/life';
 import { CANCELLED, CORE_BROKEN } from '../worker/protocol';
 import type { CallProgress, OpenedFile, Started, WorkerApi } from '../worker/protocol';
+import { coreFolder } from '../worker/core_folder';
 
 carrySettingErrors();
 
@@ -43,7 +44,7 @@ export class Client {
   threads = 1;
 
   /**
-   * `base`: the address of the folder above wasm/, with a final slash. `onLost`: a worker has ended while nothing ran.
+   * `base`: the address of the page's folder, with a final slash. `onLost`: a worker has ended while nothing ran.
    * `listen`, if any, is given the port at which the histories of each worker arrive.
    */
   constructor(
@@ -63,7 +64,7 @@ export class Client {
     const onProgress = proxy((progress: CallProgress) => (this.lastProgress = progress));
     const lock = `limber-worker-${crypto.randomUUID()}`;
     const starting = current.remote.start(
-      { wasmFolder: new URL('wasm/', this.base).href, threads: 0, memory: memoryAsked() },
+      { wasmFolder: coreFolder(this.base), threads: 0, memory: memoryAsked() },
       onProgress,
       lock,
     );

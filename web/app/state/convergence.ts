@@ -4,6 +4,7 @@ import { computed, signal } from '@preact/signals';
 import { wrap } from 'comlink';
 import type { Convergence } from '../../engine/motion/convergence';
 import type { ConvergenceApi } from '../worker/convergence_worker';
+import { coreFolder } from '../worker/core_folder';
 import { simulationKey, twinSetup } from './simulation';
 import { failureOf } from './simulation_failure';
 import { shownMesh } from './store';
@@ -44,7 +45,7 @@ export async function checkConvergence(): Promise<void> {
   checkingKey.value = key;
   const found = { key, convergence: null, failure: null };
   try {
-    const wasmFolder = new URL('wasm/', document.baseURI).href;
+    const wasmFolder = coreFolder();
     const measured = wrap<ConvergenceApi>(own).measure(wasmFolder, twinSetup(result));
     const convergence = await Promise.race([measured, failureOf(own)]);
     if (worker === own) checked.value = { ...found, convergence };

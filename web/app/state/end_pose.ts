@@ -3,6 +3,7 @@
 import { proxy, wrap } from 'comlink';
 import { STEP_SECONDS } from '../../engine/motion/simulation';
 import type { SimulationApi, TwinFrame } from '../worker/simulation_protocol';
+import { coreFolder } from '../worker/core_folder';
 import { twinSetup } from './simulation';
 import { failureOf } from './simulation_failure';
 import { shownMesh, wants } from './store';
@@ -41,7 +42,7 @@ async function moveTo(
     arrived();
     return Promise.resolve();
   };
-  await api.load(new URL('wasm/', document.baseURI).href, proxy(show), `limber-pose-${crypto.randomUUID()}`);
+  await api.load(coreFolder(), proxy(show), `limber-pose-${crypto.randomUUID()}`);
   await api.start(setup, { vertexDistances: false, driven: false });
   const isThere = (): boolean => last !== null && last.time > (steps - 0.5) * STEP_SECONDS;
   const hasEnded = (): boolean => last !== null && (last.diverged.length > 0 || last.failure !== null);

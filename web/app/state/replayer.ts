@@ -5,13 +5,14 @@ import type { Remote } from 'comlink';
 import type { MeshAt } from '../../engine/core/core';
 import { watchLife } from '../worker/life';
 import type { ReplayApi } from '../worker/replay';
+import { coreFolder } from '../worker/core_folder';
 
 export class Replayer {
   private remote: Remote<ReplayApi> | null = null;
   private ended: Promise<never> = new Promise(() => undefined);
   private port: MessagePort | null = null;
 
-  /** `base`: the address of the folder above wasm/, with a final slash. */
+  /** `base`: the address of the page's folder, with a final slash. */
   constructor(private readonly base: string) {}
 
   /** A worker will send its histories to this port. */
@@ -26,7 +27,7 @@ export class Replayer {
     const worker = new Worker(new URL('../worker/replay_worker.ts', import.meta.url), { type: 'module' });
     this.remote = wrap<ReplayApi>(worker);
     const lock = `limber-replay-${crypto.randomUUID()}`;
-    const started = this.remote.start(new URL('wasm/', this.base).href, lock);
+    const started = this.remote.start(coreFolder(this.base), lock);
     this.ended = new Promise((_, reject) => {
       const end = (why: string): void => reject(new Error(why));
       worker.addEventListener('error', ({ message }) => end(message ?? 'Failed to fetch its script'));

@@ -15,6 +15,8 @@ import { watchLife } from '../worker/life';
 import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker/simulation_protocol';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
+import { coreFolder } from '../worker/core_folder';
+import { isMissingFile } from './offline';
 import { results, shownFit, shownMesh, status, view, wantedKey, wants } from './store';
 import { isTuningWanted, pinSource, twin, usedTuning } from './twin';
 import { say } from '../language/say';
@@ -72,20 +74,23 @@ const frameRequest = (): TwinRequest => ({
   driven: twin.driven.value,
 });
 
+const describeEnd = (why: string): string =>
+  say('The simulation has stopped: {why}. Press Reset to start it again.', { why });
+
+const notLoaded = (): string => say('its program could not be loaded; reload the page, your work comes back');
+
 function openWorker(): Remote<SimulationApi> {
   worker = new Worker(new URL('../worker/simulation_worker.ts', import.meta.url), { type: 'module' });
   const own = worker;
   const onEnd = (why: string): void => {
     if (worker !== own) return;
     closeWorker();
-    twin.failure.value = say('The simulation has stopped: {why}. Press Reset to start it again.', { why });
+    twin.failure.value = describeEnd(why);
   };
-  worker.addEventListener('error', ({ message }) =>
-    onEnd(message ?? say('its program could not be loaded; reload the page, your work comes back')),
-  );
+  worker.addEventListener('error', ({ message }) => onEnd(message ?? notLoaded()));
   const api = (remote = wrap<SimulationApi>(worker));
   const lock = `limber-simulation-${crypto.randomUUID()}`;
-  loaded = api.load(new URL('wasm/', document.baseURI).href, proxy(showFrame), lock);
+  loaded = api.load(coreFolder(), proxy(showFrame), lock);
   loaded.then(
     () => watchLife(lock, () => onEnd(say('the browser has ended it'))),
     () => {
@@ -171,8 +176,13 @@ async function start(result: MeshAt): Promise<void> {
     twin.collisionScene.value = collisionScene;
     await api.play(isMoving());
   } catch (error) {
-    if (number === startNumber) twin.failure.value = error instanceof Error ? error.message : String(error);
+    if (number === startNumber) twin.failure.value = describeFailure(error);
   }
+}
+
+function describeFailure(error: unknown): string {
+  if (isMissingFile(error)) return describeEnd(notLoaded());
+  return error instanceof Error ? error.message : String(error);
 }
 
 const isVisible = signal(!document.hidden);
