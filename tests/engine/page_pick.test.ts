@@ -5,7 +5,7 @@ import { expect, it, vi } from 'vitest';
 import { PickTool } from '../../web/app/viewer/pick_tool';
 import { grid } from './support/shapes';
 
-const mesh = grid(4, 4);
+let mesh = grid(4, 4);
 
 function pickTool() {
   const tool = { radius: () => 0.1, hover: () => {}, paint: vi.fn(), finish: vi.fn() };
@@ -16,13 +16,14 @@ function pickTool() {
     mesh: () => (isInUse ? mesh : null),
     rayAt: () => new Ray(new Vector3(mesh.positions[0], mesh.positions[1], 9), new Vector3(0, 0, -1)),
     isBroad: () => true,
+    fail: vi.fn(),
   };
-  new PickTool(canvas as unknown as HTMLCanvasElement, host);
+  const picking = new PickTool(canvas as unknown as HTMLCanvasElement, host);
   const send = (type: string, x: number, pointerId = 1): void => {
     const at = { clientX: x, clientY: 0, pointerId, button: 0, buttons: 1, shiftKey: false };
     canvas.dispatchEvent(Object.assign(new Event(type), at));
   };
-  return { tool, send, putDown: () => (isInUse = false) };
+  return { tool, send, host, picking, putDown: () => (isInUse = false) };
 }
 
 it('a stroke ends where the pointer is released', () => {
@@ -52,4 +53,29 @@ it('a stroke that the system cancels is taken back, and one of another pointer g
   send('pointerup', 40);
   expect([tool.paint.mock.calls.length, tool.finish.mock.calls.length]).toEqual([4, 0]);
   expect(tool.paint.mock.lastCall![0].vertices.size).toBe(0);
+});
+
+it('a search tree that fails is told once, and is built again where the tool is taken again', async () => {
+  let isBroken = true;
+  const workers: { onerror(event: { message?: string }): void }[] = [];
+  class TreeWorker {
+    onerror = (_event: { message?: string }): void => {};
+    terminate = (): void => {};
+    constructor() {
+      workers.push(this);
+    }
+    postMessage(): void {
+      if (isBroken) setTimeout(() => this.onerror({}));
+    }
+  }
+  vi.stubGlobal('Worker', TreeWorker);
+  mesh = grid(130, 130);
+  const { host, picking } = pickTool();
+  picking.prepare();
+  await vi.waitUntil(() => host.fail.mock.calls.length > 0);
+  picking.aim({ clientX: 0, clientY: 0 });
+  expect([workers.length, host.fail.mock.calls]).toEqual([1, [[new Error('Failed to fetch its script')]]]);
+  isBroken = false;
+  picking.prepare();
+  expect([workers.length, host.fail.mock.calls.length]).toEqual([2, 1]);
 });

@@ -28,6 +28,8 @@ export interface PickHost {
   rayAt(clientX: number, clientY: number): Ray | null;
   /** whether a click picks the whole disc of the brush, not one vertex */
   isBroad(): boolean;
+  /** called where nothing can be picked on the mesh until `prepare` is called again */
+  fail(error: unknown): void;
 }
 
 interface RunningStroke extends Stroke {
@@ -50,7 +52,7 @@ const CLICK_PIXELS = 4;
 const STEP_PIXELS = 6;
 
 export class PickTool {
-  private picker: { mesh: TriangleMesh; tree: Picker | null } | null = null;
+  private picker: { mesh: TriangleMesh; tree: Picker | null; hasFailed?: true } | null = null;
   private stroke: RunningStroke | null = null;
   private hovered: number | null = null;
 
@@ -66,8 +68,9 @@ export class PickTool {
     canvas.addEventListener('pointerleave', () => this.hover(null));
   }
 
-  /** Starts to build the search tree of the shown mesh, which may take a while. */
+  /** Starts to build the search tree of the shown mesh, which may take a while; one that has failed is built again. */
   prepare(): void {
+    if (this.picker?.hasFailed) this.picker = null;
     this.tree();
   }
 
@@ -186,10 +189,17 @@ export class PickTool {
 
   private build(mesh: TriangleMesh): void {
     const found = Picker.of(mesh);
-    this.picker = { mesh, tree: found instanceof Picker ? found : null };
-    if (found instanceof Picker) return;
-    void found.then((tree) => {
-      if (this.picker?.mesh === mesh) this.picker.tree = tree;
-    });
+    if (found instanceof Picker) {
+      this.picker = { mesh, tree: found };
+      return;
+    }
+    const own = (this.picker = { mesh, tree: null });
+    found.then(
+      (tree) => Object.assign(own, { tree }),
+      (error: unknown) => {
+        Object.assign(own, { hasFailed: true });
+        if (this.picker === own) this.host.fail(error);
+      },
+    );
   }
 }

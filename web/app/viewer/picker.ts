@@ -24,7 +24,7 @@ export class Picker {
     private readonly tree: MeshBVH,
   ) {}
 
-  /** Returns at once for small meshes, later for large ones. */
+  /** Returns at once for small meshes, later for large ones, or rejects where the worker cannot be loaded or fails. */
   static of(mesh: TriangleMesh): Picker | Promise<Picker> {
     const geometry = geometryOf(mesh);
     if (faceCount(mesh) <= MOST_TRIANGLES_AT_ONCE) return new Picker(mesh, buildTree(geometry));
@@ -86,7 +86,8 @@ function buildInWorker(mesh: TriangleMesh): Promise<SerializedBVH> {
   const worker = new Worker(new URL('./tree_worker.ts', import.meta.url), { type: 'module' });
   return new Promise<SerializedBVH>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<SerializedBVH>) => resolve(data);
-    worker.onerror = ({ message }) => reject(new Error(message));
+    // A script that cannot be loaded gives an event without a message.
+    worker.onerror = ({ message }) => reject(new Error(message ?? 'Failed to fetch its script'));
     worker.postMessage(mesh);
   }).finally(() => worker.terminate());
 }

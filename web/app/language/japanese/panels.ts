@@ -145,6 +145,8 @@ export const PANELS: MessageTable = {
     '画像が大きすぎて保存できません。小さいサイズを選んでください。',
   'The simulation has stopped: {why}.': 'シミュレーションが停止しました ({why})。',
   'its program could not be loaded': 'プログラムを読み込めません',
+  'Nothing can be picked on this mesh: {why}. Put the tool down and take it again for another try.':
+    'このメッシュでは頂点を選択できません ({why})。ツールをいったん終了し、もう一度選んでください。',
   'A body has left the scene: give the Test step more substeps.':
     '物体がシーンの外に飛び出しました。「テスト」のサブステップを増やしてください。',
   'The link has {word}: give bodies with their faces, as in own=2:400.':

@@ -2,12 +2,15 @@
 
 import { batch } from '@preact/signals';
 import { editPins } from '../../../engine/settings/pin_edits';
+import { isMissingFile } from '../../state/offline';
 import { setPins } from '../../state/pins';
+import { complain } from '../../state/running';
 import { viewportColours } from '../../state/scheme';
 import { isBrushing, isPicking, results, view, wants } from '../../state/store';
 import { PickTool } from '../../viewer/pick_tool';
 import type { StrokeTool } from '../../viewer/pick_tool';
 import type { Viewport } from '../../viewer/viewport';
+import { say } from '../../language/say';
 import { brushTool } from '../reduce/brushing';
 
 /** The radius of a stroke that pins, over the diagonal of the body. */
@@ -22,8 +25,14 @@ export function connectPicking(canvas: HTMLCanvasElement, viewport: Viewport): P
     mesh: () => (isPicking.value || isBrushing.value ? (results.body.value?.mesh ?? null) : null),
     rayAt: (x, y) => (viewport.paneAt(x) === 'original' ? viewport.rayAt(x, y) : null),
     isBroad: () => isBrushing.value,
+    fail: (error) => complain(isMissingFile(error) ? error : new Error(describeFailure(error))),
   });
 }
+
+const describeFailure = (error: unknown): string =>
+  say('Nothing can be picked on this mesh: {why}. Put the tool down and take it again for another try.', {
+    why: error instanceof Error ? error.message : String(error),
+  });
 
 function pinTool(viewport: Viewport): StrokeTool {
   return {
