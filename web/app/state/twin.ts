@@ -2,6 +2,8 @@
 
 import { computed, signal } from '@preact/signals';
 import type { CollisionScene } from '../../engine/core/core';
+import { ownModelOf } from '../../engine/motion/own_model';
+import type { OwnModel } from '../../engine/motion/own_model';
 import type { TwinSample } from '../../engine/motion/twin';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { TwinFrame } from '../worker/simulation_protocol';
@@ -58,4 +60,19 @@ export const usedTuning = computed<TunedBody | null>(() => {
   const { value: found } = results.tuned;
   if (!isTuningWanted.value || !found) return null;
   return found.key === wantedKey(STAGES.tuned) ? found.tuned : null;
+});
+
+/** Whether that tuning has masses but no factors, as in the trial of the motion the user's own stiffness was nearer to the original. */
+export const keepsOwnStiffness = computed(() => usedTuning.value?.tuned.motion?.kept === 'untouched');
+
+/** What the shown body can move as without a solver of the panel. */
+export const ownModel = computed<OwnModel>(() => {
+  const { value: body } = results.body;
+  return body ? ownModelOf(body.mesh, body.inspection) : 'solid';
+});
+
+/** Whether original and result have an inside: cells of the same size in both. A calibrated body is a shell. */
+export const haveLattice = computed(() => {
+  const { solver, material, calibrate } = wants.settings.value;
+  return solver === 'none' && material === 'solid' && !calibrate && ownModel.value !== 'shell';
 });

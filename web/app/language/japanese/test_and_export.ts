@@ -80,6 +80,8 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Optimized, per step': '最適化後 (1 ステップ)',
   'Speed-up': '高速化',
   'original / optimized': '元 / 最適化後',
+  'set by the inside, the same in both': '時間は両方に共通の中身で決まります',
+  'so few faces take hardly any time': '面が少なく、時間はほとんどかかりません',
   'noise floor not measured': 'ノイズフロア未測定',
   'noise floor {noise}': 'ノイズフロア {noise}',
   Stretch: '伸び',
@@ -119,6 +121,8 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Optimized mesh': '最適化後のメッシュ',
   'Tuning ...': '調整しています...',
   'It could not be tuned: shown as it is.': '調整できなかったため、そのまま表示しています。',
+  'A trial of the motion came closer with your own stiffness: the masses alone are tuned.':
+    '動きを試したところ元の剛性のほうが近かったため、質量だけを調整しています。',
   'raise the substeps (now {substeps}) or take a softer material, then reset.':
     'サブステップ (現在 {substeps}) を増やすか、柔らかい材料を選んでからリセットしてください。',
   'Both meshes have diverged at {time} s: {cure}': '両方のメッシュが {time} 秒で発散しました。{cure}',

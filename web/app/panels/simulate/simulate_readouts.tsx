@@ -1,10 +1,12 @@
 /** The cost of a step of each body, their deviation, and whether the motion is in real time. */
 
 import type { TwinFrame } from '../../worker/simulation_protocol';
-import { twin } from '../../state/twin';
+import { haveLattice, twin } from '../../state/twin';
 import { wants } from '../../state/store';
 import { fixed, percent } from '../../controls/numbers';
 import { Readout } from '../../controls/readout';
+import { describeSpeedUp, speedUp } from './speed_up';
+import type { StepTimes } from './speed_up';
 import { say } from '../../language/say';
 
 /** A pace below this is called slow motion. */
@@ -12,14 +14,15 @@ const REAL_TIME = 0.9;
 
 export function SimulateReadouts() {
   const frame = twin.numbers.value;
+  const times = stepTimes(frame);
   const last = twin.samples.value.at(-1);
   const noise = last?.noise ?? null;
   return (
     <dl class="readouts" tabIndex={0}>
       <Readout name="Time" value={frame ? `${fixed(frame.time, 2)} s` : '...'} note={describePace(frame)} />
-      <Cost name="Original, per step" seconds={frame?.bodies.original.stepSeconds ?? 0} />
-      <Cost name="Optimized, per step" seconds={frame?.bodies.optimized.stepSeconds ?? 0} />
-      <Readout name="Speed-up" value={speedUp(frame)} note={say('original / optimized')} />
+      <Cost name="Original, per step" seconds={times.original} />
+      <Cost name="Optimized, per step" seconds={times.optimized} />
+      <Readout name="Speed-up" value={speedUp(times)} note={describeSpeedUp(times)} />
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
@@ -57,7 +60,8 @@ function Cost({ name, seconds }: { name: string; seconds: number }) {
   );
 }
 
-function speedUp(frame: TwinFrame | null): string {
-  const [original, optimized] = [frame?.bodies.original.stepSeconds, frame?.bodies.optimized.stepSeconds];
-  return original && optimized ? `x${(original / optimized).toPrecision(3)}` : '...';
-}
+const stepTimes = (frame: TwinFrame | null): StepTimes => ({
+  original: frame?.bodies.original.stepSeconds ?? 0,
+  optimized: frame?.bodies.optimized.stepSeconds ?? 0,
+  haveLattice: haveLattice.value,
+});

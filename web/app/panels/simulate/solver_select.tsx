@@ -1,14 +1,12 @@
 /** In which solver both bodies move, and whether the optimized one has what tuning found for it. */
 
-import { computed } from '@preact/signals';
-import { ownModelOf } from '../../../engine/motion/own_model';
 import type { OwnModel } from '../../../engine/motion/own_model';
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
 import type { SolverName } from '../../../engine/solvers/profiles';
 import { OPTIONS as SETTINGS } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
-import { changeSettings, results, status, wants } from '../../state/store';
-import { twin, usedTuning } from '../../state/twin';
+import { changeSettings, status, wants } from '../../state/store';
+import { keepsOwnStiffness, ownModel, twin, usedTuning } from '../../state/twin';
 import { UnknownSolver } from './unknown_solver';
 import { Choice, Select } from '../../controls/controls';
 import { say, sentence } from '../../language/say';
@@ -39,12 +37,6 @@ const SPRINGS: Words = {
   text: "The paper's springs",
   title: 'The edges, as in the paper: another material on every mesh',
 };
-
-/** What the shown body can move as without a solver of the panel. */
-const ownModel = computed<OwnModel>(() => {
-  const { value: body } = results.body;
-  return body ? ownModelOf(body.mesh, body.inspection) : 'solid';
-});
 
 /** Words for each; a body whose parts are all open is a shell in either way, which is offered once. */
 const ownWords = (model: OwnModel): [Material, Words][] => [
@@ -142,6 +134,11 @@ function Tuning() {
       {isWanted && !usedTuning.value && (
         <p class="hint">
           {status.working.value ? say('Tuning ...') : say('It could not be tuned: shown as it is.')}
+        </p>
+      )}
+      {keepsOwnStiffness.value && (
+        <p class="hint">
+          {say('A trial of the motion came closer with your own stiffness: the masses alone are tuned.')}
         </p>
       )}
       <TakeAlong />

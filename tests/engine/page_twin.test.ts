@@ -1,0 +1,56 @@
+/** What the Test step says in words of its numbers: of a speed-up that is none, and of a tuning that keeps the stiffness. */
+
+import { beforeEach, expect, it, vi } from 'vitest';
+import { describeSpeedUp, speedUp } from '../../web/app/panels/simulate/speed_up';
+import { changeSettings, results, view, wantedKey } from '../../web/app/state/store';
+import { haveLattice, keepsOwnStiffness, twin } from '../../web/app/state/twin';
+import { defaultSettings } from '../../web/engine/settings/options';
+import { STAGES } from '../../web/engine/stages/stages';
+import { cube } from './support/shapes';
+
+// The state of the page asks for the colour scheme.
+vi.hoisted(() => vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} })));
+
+beforeEach(() => {
+  changeSettings(defaultSettings());
+  results.body.value = null;
+});
+
+it('a step that is not faster says what limits it', () => {
+  const times = (original: number, optimized: number, isSolid = false) => {
+    return { original, optimized, haveLattice: isSolid };
+  };
+  expect(speedUp(times(0.0095, 0.01))).toBe('x0.950');
+  expect(describeSpeedUp(times(0.0095, 0.01, true))).toBe('set by the inside, the same in both');
+  expect(describeSpeedUp(times(0.00009, 0.0001))).toBe('so few faces take hardly any time');
+  for (const plain of [times(0.02, 0.01, true), times(0.0095, 0.01), times(0, 0, true)])
+    expect(describeSpeedUp(plain)).toBe('original / optimized');
+  expect(speedUp(times(0, 0))).toBe('...');
+});
+
+it('bodies have an inside as solids of the program alone', () => {
+  const inspection = { boundaryLoops: 0, nonManifoldEdges: 0, orientationClashes: 0, components: 1 };
+  results.body.value = { mesh: cube(), inspection } as never;
+  expect(haveLattice.value).toBe(true);
+  for (const change of [{ material: 'shell' }, { solver: 'jolt' }, { calibrate: true }] as const) {
+    changeSettings({ ...defaultSettings(), ...change });
+    expect(haveLattice.value).toBe(false);
+  }
+  changeSettings(defaultSettings());
+  results.body.value = { mesh: cube(), inspection: { ...inspection, boundaryLoops: 1 } } as never;
+  expect(haveLattice.value).toBe(false);
+});
+
+it('a tuning says where the trial of the motion has kept the stiffness, as long as it is used', () => {
+  const found = (motion: object | null) => {
+    results.tuned.value = { key: wantedKey(STAGES.tuned), tuned: { tuned: { motion } } } as never;
+    return keepsOwnStiffness.value;
+  };
+  view.step.value = 'test';
+  changeSettings({ solver: 'jolt' });
+  twin.wantsTuned.value = true;
+  expect([{ kept: 'untouched' }, { kept: 'tuned' }, null].map(found)).toEqual([true, false, false]);
+  found({ kept: 'untouched' });
+  twin.wantsTuned.value = false;
+  expect(keepsOwnStiffness.value).toBe(false);
+});

@@ -1,0 +1,27 @@
+/** How much faster a step of the optimized mesh is, and in words what limits that. */
+
+import { say } from '../../language/say';
+
+/** A speed-up below this saves no time that counts. */
+const LEAST_GAIN = 1.1;
+/** s; a step that is shorter has so little to do that other work than that on faces shows. */
+const SHORT_STEP = 0.001;
+
+/** Of one step of each body; `haveLattice`: an inside of cells that are as coarse in both. */
+export interface StepTimes {
+  /** s */
+  original: number;
+  /** s */
+  optimized: number;
+  haveLattice: boolean;
+}
+
+export const speedUp = ({ original, optimized }: StepTimes): string =>
+  original > 0 && optimized > 0 ? `x${(original / optimized).toPrecision(3)}` : '...';
+
+export function describeSpeedUp({ original, optimized, haveLattice }: StepTimes): string {
+  const isSlow = optimized > 0 && original < LEAST_GAIN * optimized;
+  if (isSlow && haveLattice) return say('set by the inside, the same in both');
+  if (isSlow && original < SHORT_STEP) return say('so few faces take hardly any time');
+  return say('original / optimized');
+}
