@@ -41,6 +41,21 @@ test('a reload brings back the file, the settings, the paint and the slider', as
   await expect(page.getByLabel('Even triangles, exact')).toHaveValue('0.3');
 });
 
+test('a button that has copied says so for a moment, and the last one alone', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openPage(page);
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const command = page.getByRole('button', { name: 'Copy command line' });
+  await command.click();
+  await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible();
+  await page.getByRole('button', { name: 'Share link' }).click();
+  await expect(command).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Share link' })).toBeVisible();
+  await command.click();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toContain('limber optimize');
+  await expect(command).toBeVisible();
+});
+
 test('a link opens the sample with all settings; a link with an error is reported', async ({
   page,
   context,

@@ -1,9 +1,9 @@
 /** The buttons that save the result and what belongs to it, and the command that writes the same. */
 
-import { useState } from 'preact/hooks';
 import type { Settings } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
 import { commandLine } from '../../command_line';
+import { CopyButton } from '../../controls/copy_button';
 import { download } from '../../files/files';
 import { exportFormatOf, exportSettings } from '../../worker/export_form';
 import { exportRequest } from '../../state/export_request';
@@ -66,7 +66,6 @@ const extension = 'extension ';
 /** The command that writes the same file. */
 function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exported: ExportResult }) {
   const { output, binding, fields } = exportRequest();
-  const [isCopied, setCopied] = useState(false);
   const line = commandLine(asTyped(), results.file.value!.name, output, {
     faces,
     fields,
@@ -74,12 +73,9 @@ function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exp
     settings: wants.settings.value.solver === 'none' ? null : settingsName(output),
     isMissed: written > faces,
   });
-  const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
   return (
     <>
-      <button type="button" onClick={() => void copy().catch(complain)}>
-        {isCopied ? say('Copied') : say('Copy command line')}
-      </button>
+      <CopyButton text={say('Copy command line')} write={() => line} />
       <code class="command">{line}</code>
       {wants.own.value.size > 0 && (
         <p class="hint">

@@ -1,6 +1,5 @@
 /** The numbers of the methods, and buttons that copy them. */
 
-import { useState } from 'preact/hooks';
 import {
   shownValue,
   tableAsCsv,
@@ -10,7 +9,7 @@ import {
 import type { Table } from '../../../engine/report/tables/method_table';
 import { METHOD_TITLES } from '../../../engine/stages/equal_budget/budget_table';
 import type { MethodResult } from '../../../engine/stages/equal_budget/equal_budget';
-import { complain } from '../../state/running';
+import { CopyButton } from '../../controls/copy_button';
 import { say, sentence } from '../../language/say';
 
 const FORMS = [
@@ -18,8 +17,6 @@ const FORMS = [
   { text: 'Markdown', write: tableAsMarkdown },
   { text: 'LaTeX', write: tableAsLatex },
 ] as const;
-
-const COPIED_MILLISECONDS = 2000;
 
 export function MethodTable({ table, failures }: { table: Table; failures: readonly MethodResult[] }) {
   return (
@@ -69,24 +66,16 @@ export function MethodTable({ table, failures }: { table: Table; failures: reado
 }
 
 function CopyButtons({ table }: { table: Table }) {
-  const [copied, setCopied] = useState('');
-  const copy = async (text: string, write: (table: Table) => string) => {
-    await navigator.clipboard.writeText(write(table));
-    setCopied(text);
-    setTimeout(() => setCopied(''), COPIED_MILLISECONDS);
-  };
   return (
     <div class="reports" role="group" aria-label={say('Copy the table')}>
       <span>{say('Copy as')}</span>
       {FORMS.map(({ text, write }) => (
-        <button
+        <CopyButton
           key={text}
-          type="button"
-          aria-label={say('Copy as {format}', { format: text })}
-          onClick={() => void copy(text, write).catch(complain)}
-        >
-          {copied === text ? say('Copied') : text}
-        </button>
+          text={text}
+          name={say('Copy as {format}', { format: text })}
+          write={() => write(table)}
+        />
       ))}
     </div>
   );
