@@ -39,6 +39,27 @@ test('Export takes the focus, and gives it back unless it has gone elsewhere', a
   await expect(help).toBeFocused();
 });
 
+for (const [opener, closer] of [
+  ['Compare methods', 'Close the comparison'],
+  ['Pictures', 'Close the pictures'],
+])
+  test(`${opener} takes the focus, and gives it back`, async ({ page }) => {
+    await openPage(page);
+    await goTo(page, 'Reduce');
+    const button = page.getByRole('button', { name: opener, exact: true });
+    await expect(button).toBeEnabled();
+    for (const leave of [
+      () => page.getByRole('button', { name: closer }).press('Enter'),
+      () => page.keyboard.press('Escape'),
+    ]) {
+      await button.press('Enter');
+      await expect(page.locator('.panel-head h2')).toBeFocused();
+      await leave();
+      await expect(page.locator('.panel-head h2')).toHaveCount(0);
+      await expect(button).toBeFocused();
+    }
+  });
+
 for (const colorScheme of ['light', 'dark'] as const)
   test(`every step passes axe in the ${colorScheme} scheme`, async ({ browser, baseURL }) => {
     // With reduced motion the pictures stand still, so that axe sees colours that do not change.

@@ -8,7 +8,7 @@ export function useHeadingFocus(): RefObject<HTMLHeadingElement | null> {
   const heading = useRef<HTMLHeadingElement>(null);
   useEffect(() => {
     const before = document.activeElement as HTMLElement | null;
-    const panel = heading.current?.closest('.panel');
+    const panel = heading.current?.closest('aside, section');
     heading.current?.focus({ preventScroll: true });
     return () => {
       const { activeElement: now } = document;

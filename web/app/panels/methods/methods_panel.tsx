@@ -1,11 +1,12 @@
 /** Methods at an equal budget: pictures from one eye, and a table to copy. */
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { methodChange } from '../../../engine/settings/options';
 import { METHOD_TITLES, budgetTable } from '../../../engine/stages/equal_budget/budget_table';
 import { COMPARED_METHODS, isOwnMethod } from '../../../engine/stages/equal_budget/equal_budget';
 import type { ComparedMethod } from '../../../engine/stages/equal_budget/equal_budget';
 import { faceCount } from '../../../engine/core/mesh';
+import { useHeadingFocus } from '../../controls/heading_focus';
 import { count } from '../../controls/numbers';
 import { Spoken } from '../../controls/spoken';
 import { comparison, shownComparison } from '../../state/methods';
@@ -27,8 +28,7 @@ const close = (): void => {
 
 function OpenPanel({ original }: { original: { positions: Float32Array; triangles: Uint32Array } }) {
   const [answer, setAnswer] = useState('');
-  const heading = useRef<HTMLHeadingElement>(null);
-  useEffect(() => heading.current?.focus(), []);
+  const heading = useHeadingFocus();
   const compared = shownComparison.value;
   const found = compared?.results ?? [];
   const budget = wantedFaces.value;

@@ -1,8 +1,8 @@
 /** Saves what the stage shows: as a picture of any size, a video, a chart or a figure. */
 
-import { useEffect, useRef } from 'preact/hooks';
 import { scenarioWords } from '../../../engine/core/scenarios';
 import { Choice, Section, Select, Toggle } from '../../controls/controls';
+import { useHeadingFocus } from '../../controls/heading_focus';
 import { NumberField } from '../../controls/number_field';
 import { count } from '../../controls/numbers';
 import { Spoken } from '../../controls/spoken';
@@ -33,12 +33,10 @@ export function PicturesPanel() {
 
 const close = (): void => {
   pictures.isOpen.value = false;
-  document.querySelector<HTMLElement>('.pictures-button')?.focus();
 };
 
 function OpenPanel() {
-  const heading = useRef<HTMLHeadingElement>(null);
-  useEffect(() => heading.current?.focus(), []);
+  const heading = useHeadingFocus();
   return (
     <aside
       class="panel pictures"
