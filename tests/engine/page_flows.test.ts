@@ -7,7 +7,7 @@ import { scrolls } from '../../web/app/controls/scroll_keys';
 import { levelAtHeight, nextLevel, readLevels, switchHeights } from '../../web/app/panels/export/level_chain';
 import type { Client } from '../../web/app/state/client';
 import { exportedKey, exportRequest, genericKey, pictureName } from '../../web/app/state/export_request';
-import { compareMethods } from '../../web/app/state/methods';
+import { compareMethods, comparisonKey } from '../../web/app/state/methods';
 import { freeName, modelGroups } from '../../web/app/state/queue/model_groups';
 import { describeOutcome, describeProgress, summaryCsv } from '../../web/app/state/queue/summary';
 import { changeSettings, results } from '../../web/app/state/store';
@@ -120,6 +120,19 @@ test('a region scrolls by the keys of the direction in which it has more', () =>
   expect(keysOf(10, 10)).toEqual([]);
   expect(keysOf(11, 10)).toEqual(['ArrowLeft']);
   expect(keysOf(10, 11)).toEqual(['ArrowUp', 'Home', 'PageDown']);
+});
+
+test.each([
+  [{ pins: 'low:5' }, false],
+  [{ young: 2e6 }, false],
+  [{ seams: 'cross' }, false],
+  [{ scenario: 'sway' }, true],
+  [{ compress: 'draco' }, true],
+] as const)('whether methods compared before are those of %o too: %s', (change, isSame) => {
+  changeSettings(defaultSettings());
+  const before = comparisonKey();
+  changeSettings(change);
+  expect(comparisonKey() === before).toBe(isSame);
 });
 
 test('methods are compared no further once the inputs have changed', async () => {

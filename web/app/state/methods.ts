@@ -1,9 +1,11 @@
 /** Methods at an equal budget: what is asked for, and the results that are there. */
 
 import { computed, signal } from '@preact/signals';
-import type { Settings } from '../../engine/settings/options';
+import { MATERIAL_SETTINGS } from '../../engine/body/material';
+import { SETTING_NAMES } from '../../engine/settings/options';
 import { COMPARED_METHODS } from '../../engine/stages/equal_budget/equal_budget';
 import type { MethodResult } from '../../engine/stages/equal_budget/equal_budget';
+import { STAGES } from '../../engine/stages/stages';
 import { CANCELLED } from '../worker/protocol';
 import type { Client } from './client';
 import { isHistoryStale, results, view, wantedFaces, wants } from './store';
@@ -22,25 +24,10 @@ export const comparison = {
   compared: signal<ComparedMethods | null>(null),
 };
 
+/** What each method's result and its measures follow from, see resultAtBudget. */
+const FOLLOWED: readonly string[] = [...STAGES.fitted.reads, ...MATERIAL_SETTINGS];
 /** Settings that lead to another comparison; what is exported or simulated plays no part. */
-const READ = [
-  ...(['method', 'strainWeight', 'curvatureWeight', 'qualityWeight', 'sizeWeight'] as const),
-  ...([
-    'fit',
-    'model',
-    'modeCount',
-    'modes',
-    'modeWeights',
-    'p',
-    'strainThreshold',
-    'direction',
-    'exact',
-  ] as const),
-  ...(['pins', 'young', 'poisson', 'density', 'thickness', 'unit'] as const),
-  ...(['maxDeviation', 'maxFrequencyError', 'minAngle', 'solver', 'tune', 'engine'] as const),
-  ...(['bendRatio', 'massRule'] as const),
-  ...(['borders', 'seams', 'symmetry', 'creases', 'keep', 'lock', 'paint', 'weld'] as const),
-] satisfies (keyof Settings)[];
+const READ = SETTING_NAMES.filter((name) => FOLLOWED.includes(name));
 
 /** Text that is equal for equal comparisons of the shown body. */
 export const comparisonKey = (): string =>
