@@ -69,6 +69,25 @@ test(
   },
 );
 
+test('a queue comes back after a reload, unless it was closed', async ({ page }) => {
+  await page.goto('/');
+  await drop(page, ...models);
+  await expect(queue(page)).toContainText('3 models');
+  await queue(page).getByRole('button', { name: 'model-1.obj' }).click();
+  await expect(page.locator('.left .filename')).toHaveText('model-1.obj');
+  await expect(button(page, 'Optimize all 3')).toBeEnabled();
+  for (let reloads = 0; reloads < 2; ++reloads) {
+    await page.reload();
+    await expect(page.locator('.left .filename')).toHaveText('model-1.obj');
+    await expect(queue(page)).toContainText('3 models');
+    await expect(button(page, 'Optimize all 3')).toBeEnabled();
+  }
+  await button(page, 'Close the queue').click();
+  await page.reload();
+  await expect(page.locator('.left .filename')).toHaveText('model-1.obj');
+  await expect(queue(page)).toHaveCount(0);
+});
+
 test('a settings file brings its solver, parameters and faces back, or says what is wrong', async ({
   page,
 }) => {

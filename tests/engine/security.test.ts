@@ -162,6 +162,7 @@ describe('what a tab has stored', () => {
     layout: 'slider',
     field: 'strain',
     undo: { past: ['method=qem'], future: [] },
+    hasQueue: true,
     open: 'a1',
   };
 
@@ -195,6 +196,7 @@ describe('what a tab has stored', () => {
       layout: 7,
       field: null,
       undo: { past: ['faces=-1', 3, 'p=x', 'faces=5'], future: 'no' },
+      hasQueue: 1,
       open: 3,
     };
     expect(readSaved(JSON.stringify(broken))).toEqual({
@@ -203,6 +205,7 @@ describe('what a tab has stored', () => {
       layout: 'both',
       field: 'none',
       undo: { past: ['faces=5'], future: [] },
+      hasQueue: false,
       open: '',
     });
   });

@@ -1,9 +1,11 @@
-/** Keeps the files, the settings, what can be undone and the view of each tab, for a reload or a later visit. */
+/** Keeps the files, those that are lined up, the settings, what can be undone and the view of each tab, for a reload or a later visit. */
 
 import { effect, signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { readLink, writeLink } from './link';
 import type { Wanted } from './link';
+import { fillQueue, queue } from './queue/queue';
+import type { ModelGroup } from './queue/model_groups';
 import { forgetTexts, readSaved, storeSaved } from './saved_text';
 import type { Saved } from './saved_text';
 import { chooseField, results, shownField, view, wants } from './store';
@@ -16,6 +18,8 @@ interface SavedFiles {
   /** ms since 1970 */
   at: number;
   files: SourceFile[];
+  /** models that are lined up beside it; their results are not kept */
+  queue?: ModelGroup[];
   /** names what is open, see Saved; absent in records of earlier versions */
   open?: string;
 }
@@ -57,6 +61,7 @@ export async function startSaving(): Promise<void> {
       layout: view.layout.value,
       field: shownField.value,
       undo: readUndo(),
+      hasQueue: queue.value !== null,
       open: openId.value,
     };
     if (file === null) return;
@@ -86,16 +91,24 @@ export async function saveFiles(files: SourceFile[]): Promise<void> {
   const live = await liveTabs();
   try {
     await withStore('readwrite', (store) => deleteOld(store, id, live));
-    const isTooLarge = files.reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST;
     // Files that were opened meanwhile are saved instead.
-    if (isTooLarge || open !== openId.value) return;
-    await withStore('readwrite', (store) =>
-      store.put({ id, at: Date.now(), files, open } satisfies SavedFiles),
-    );
+    if (isTooLarge(files) || open !== openId.value) return;
+    const record: SavedFiles = { id, at: Date.now(), files, queue: queueBeside(files), open };
+    await withStore('readwrite', (store) => store.put(record));
   } catch {
     // Where the browser refuses, nothing comes back after a reload.
   }
 }
+
+/** The models that are lined up; none where they would be too large together. */
+function queueBeside(files: SourceFile[]): ModelGroup[] {
+  const groups = (queue.value?.items ?? []).map((item) => ({ name: item.name, files: item.files }));
+  return isTooLarge([...files, ...groups.flatMap((group) => group.files)]) ? [] : groups;
+}
+
+/** Files that several models share are kept once. */
+const isTooLarge = (files: SourceFile[]): boolean =>
+  [...new Set(files)].reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST;
 
 /** Deletes the files of this tab and of tabs that were closed long ago. */
 function deleteOld(store: IDBObjectStore, id: string, live: ReadonlySet<string>): IDBRequest<TabKey[]> {
@@ -133,19 +146,20 @@ async function sessionOf(id: string): Promise<Session | null> {
   const text = localStorage.getItem(SETTINGS_PREFIX + id);
   if (text === null) return null;
   try {
-    const { link, step, layout, field, undo, open } = readSaved(text);
+    const { link, step, layout, field, undo, hasQueue, open } = readSaved(text);
     const wanted = readLink(link);
     const keys = await withStore('readonly', allKeys);
     const key = keys.findLast((one) => one[1] === id);
     const saved = key && (await withStore('readonly', (store) => store.get(key) as IDBRequest<SavedFiles>));
     // The text may be of files that could not be saved.
     if (!saved || (saved.open ?? '') !== open || !wanted) return null;
-    const { files } = saved;
+    const { files, queue: groups = [] } = saved;
     const show = () => {
       view.step.value = step;
       view.layout.value = layout;
       chooseField(field);
       restoreUndo(undo);
+      if (hasQueue && groups.length > 0) fillQueue(groups);
     };
     return { name: wanted.file ?? files[0].name, files, wanted, show };
   } catch {

@@ -10,6 +10,8 @@ export interface Saved {
   layout: Layout;
   field: FieldName;
   undo: UndoText;
+  /** whether several models are lined up */
+  hasQueue: boolean;
   /** The record of the files has the same, so that they never come back with the settings of others; '' in earlier versions. */
   open: string;
 }
@@ -48,7 +50,7 @@ export function forgetTexts(
 
 /** Words that are not known become the first of their kind, steps of undo that cannot be read are left out. Throws an Error. */
 export function readSaved(text: string): Saved {
-  const { link, step, layout, field, undo, open } = objectOf(JSON.parse(text));
+  const { link, step, layout, field, undo, hasQueue, open } = objectOf(JSON.parse(text));
   if (typeof link !== 'string') throw new Error('The saved text has no settings.');
   const { past, future } = objectOf(undo ?? {});
   return {
@@ -57,6 +59,7 @@ export function readSaved(text: string): Saved {
     layout: oneOf(LAYOUTS, layout),
     field: oneOf(FIELDS, field),
     undo: { past: linksOf(past), future: linksOf(future) },
+    hasQueue: hasQueue === true,
     open: typeof open === 'string' ? open : '',
   };
 }
