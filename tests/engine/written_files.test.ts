@@ -55,7 +55,7 @@ describe('a written OBJ', () => {
       .setAttribute('ROTATION', floats(document, 'VEC4', [0, 0, 0, 1, 0, 0, 2, 2]))
       .setAttribute('SCALE', floats(document, 'VEC3', [1, 1, 1, 2, 1, 1]));
     node.setTranslation([0, 0, 5]).setExtension('EXT_mesh_gpu_instancing', instances);
-    expect(lostIn('obj', document)).toEqual([]);
+    expect(lostIn('obj', { document })).toEqual([]);
     const text = written(document);
     expect(text.match(/^o .*/gm)).toEqual(['o sheet', 'o sheet 2']);
     const points = [...text.matchAll(/^v (.*)$/gm)].map(([, line]) =>
@@ -112,13 +112,13 @@ describe('what a format leaves out', () => {
       full.setAttribute(name, floats(document, 'VEC2', [0, 0, 1, 0, 0, 1, 1, 1]));
     addMesh(document, 'A', [full]);
     addMesh(document, 'B', [primitiveOf(document, grid(1, 1))]);
-    expect(lostIn('obj', document)).toEqual(['further sets of UVs', 'attribute _WEIGHT']);
-    expect(lostIn('ply', document)).toEqual([
+    expect(lostIn('obj', { document })).toEqual(['further sets of UVs', 'attribute _WEIGHT']);
+    expect(lostIn('ply', { document })).toEqual([
       'UVs, which not all of its meshes have',
       'further sets of UVs',
       'attribute _WEIGHT',
     ]);
-    expect(lostIn('glb', document)).toEqual([]);
+    expect(lostIn('glb', { document })).toEqual([]);
   });
 
   it('names opacity of vertex colours, tangents, colours of some parts, and primitives of points and lines', () => {
@@ -132,15 +132,15 @@ describe('what a format leaves out', () => {
     const sheet = () => primitiveOf(document, grid(1, 1));
     const full = sheet().setAttribute('TANGENT', everywhere(1, 0, 0, 1));
     addMesh(document, 'A', [full, sheet().setMode(1)]);
-    expect(lostIn('ply', document)).toEqual(['1 primitive of points or lines', 'tangents']);
+    expect(lostIn('ply', { document })).toEqual(['1 primitive of points or lines', 'tangents']);
     full.setAttribute('COLOR_0', everywhere(1, 1, 1, 1));
-    expect(lostIn('obj', document)).toEqual(['1 primitive of points or lines', 'tangents']);
+    expect(lostIn('obj', { document })).toEqual(['1 primitive of points or lines', 'tangents']);
     full.setAttribute('COLOR_0', everywhere(1, 1, 1, 0.5));
     addMesh(document, 'B', [sheet()]);
     const opacity = ['1 primitive of points or lines', 'opacity of vertex colours', 'tangents'];
-    expect(lostIn('obj', document)).toEqual(opacity);
+    expect(lostIn('obj', { document })).toEqual(opacity);
     document.getRoot().listMeshes()[0].addPrimitive(sheet());
-    expect(lostIn('obj', document)).toContain('vertex colours, which not all parts of a mesh have');
+    expect(lostIn('obj', { document })).toContain('vertex colours, which not all parts of a mesh have');
     expect(lostIn('glb', document)).toEqual([]);
   });
 
@@ -151,8 +151,8 @@ describe('what a format leaves out', () => {
     const [, second, third] = scene.listChildren();
     document.createScene('other').addChild(second);
     scene.removeChild(second).removeChild(third);
-    expect(lostIn('obj', document)).toEqual(['2 meshes outside of the scene']);
-    expect(lostIn('glb', document)).toEqual([]);
+    expect(lostIn('obj', { document })).toEqual(['2 meshes outside of the scene']);
+    expect(lostIn('glb', { document })).toEqual([]);
   });
 });
 

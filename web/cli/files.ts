@@ -15,6 +15,7 @@ import { companionNames } from '../engine/document/gltf';
 import type { SourceFile } from '../engine/document/open';
 import { UsageError } from './failure';
 import { fileError } from './file_error';
+import { objCompanions } from './obj_companions';
 import { followLinks, isSpecial, isWithin } from './output_files/identity';
 import { readStandard, STANDARD } from './standard';
 
@@ -26,7 +27,7 @@ export interface ModelFiles {
 }
 
 /**
- * The model file; for a glTF also the files that it names, as far as they exist in its folder. `from`: the format of stdin, null
+ * The model file; for a glTF or an OBJ also the files that it names, as far as they exist in its folder. `from`: the format of stdin, null
  * where its bytes tell. Throws UsageError.
  */
 export async function readModelFiles(path: string, from: string | null = null): Promise<ModelFiles> {
@@ -43,13 +44,15 @@ export async function readModelFiles(path: string, from: string | null = null): 
     .map((name) => ({ name, path: join(dirname(path), name) }))
     .filter((companion) => existsSync(companion.path) && isWithin(companion.path, folders))
     .map((companion) => ({ ...companion, bytes: readBytes(companion.path) }));
-  const libraries = libraryNames(main).map((name) => join(dirname(path), name));
+  const { read, named } = objCompanions(path, main, folders);
+  const ofObj = read.map((name) => ({ name, bytes: readBytes(join(dirname(path), name)) }));
   return {
-    files: [main, ...companions.map(({ name, bytes }) => ({ name, bytes }))],
+    files: [main, ...companions.map(({ name, bytes }) => ({ name, bytes })), ...ofObj],
     paths: [
       path,
       ...companions.map((companion) => companion.path),
-      ...withTextures(libraries.filter(existsSync), folders),
+      ...read.map((name) => join(dirname(path), name)),
+      ...named,
     ],
   };
 }
@@ -57,33 +60,8 @@ export async function readModelFiles(path: string, from: string | null = null): 
 /** Paths of the files that the model file at `path` names, of a material library also its pictures. */
 export function pathsNamedBy(path: string): string[] {
   const main = { name: basename(path), bytes: readBytes(path) };
-  const besides = (name: string) => join(dirname(path), name);
-  const libraries = libraryNames(main).map(besides).filter(existsSync);
-  return [...companionNames(main).map(besides), ...withTextures(libraries, [dirname(path)])];
-}
-
-/** The material libraries of an OBJ; none of other formats. */
-function libraryNames({ name, bytes }: SourceFile): string[] {
-  if (!name.toLowerCase().endsWith('.obj')) return [];
-  const content = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const names: string[] = [];
-  for (let at = content.indexOf('mtllib'); at >= 0; at = content.indexOf('mtllib', at + 1)) {
-    const line = content.toString('utf8', at, at + 4096).split(/[\r\n]/, 1)[0];
-    names.push(line.slice('mtllib'.length).trim());
-  }
-  return [...new Set(names)].filter((library) => library !== '');
-}
-
-/** The libraries and the pictures that their lines end in; of those in or below `folders` alone, as others are not read. */
-function withTextures(libraries: string[], folders: string[]): string[] {
-  const readable = libraries.filter((library) => statSync(library).isFile() && isWithin(library, folders));
-  const pictures = readable.flatMap((library) =>
-    readText(library)
-      .split(/\r?\n/)
-      .filter((line) => /^\s*(map_|bump|disp|decal|refl|norm)/i.test(line))
-      .map((line) => join(dirname(library), line.trim().split(/\s+/).pop()!)),
-  );
-  return [...libraries, ...pictures.filter(existsSync)];
+  const ofGltf = companionNames(main).map((name) => join(dirname(path), name));
+  return [...ofGltf, ...objCompanions(path, main, [dirname(path)]).named];
 }
 
 /** Throws UsageError. */

@@ -79,7 +79,7 @@ export async function exportForGeneric(
 function lostOf({ model }: FileRun, { settings }: FileRequest, name: string): string[] {
   const { format } = outputForm(name, settings.format, model.format);
   if (format === 'glb' || format === 'gltf') return droppedByExport(model);
-  return [...lostIn(format, model.document), ...model.unread];
+  return [...lostIn(format, model), ...model.unread];
 }
 
 /**

@@ -64,8 +64,7 @@ export function readObj(file: SourceFile): SurfaceFile {
   const objects = [...reading.objects.values()].filter(hasFaces);
   checkReading(file.name, reading, objects.length);
   const surfaces = objects.map((object) => surfaceOf(object, reading, objects.length > 1));
-  const unread = reading.libraries.length > 0 ? ['colours and textures of materials'] : [];
-  return { surfaces, notes: notesOf(reading), unread, libraries: [...new Set(reading.libraries)] };
+  return { surfaces, notes: notesOf(reading), unread: [], libraries: [...new Set(reading.libraries)] };
 }
 
 function readLine(reading: Reading, word: string): void {

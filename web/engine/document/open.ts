@@ -3,10 +3,10 @@
 import { isZip, unpacked } from './archive/read_zip';
 import { wayOfOtherFormat } from './checks/other_formats';
 import { formatOfName } from './format_names';
+import { openObj } from './formats/obj/open_obj';
 import { isGlb } from './glb';
 import { openGltf } from './gltf';
 import type { Format, OpenModel, SourceFile } from './model';
-import { readObj } from './obj';
 import { isOff, readOff } from './off';
 import { readPly } from './ply';
 import { modelOfSurfaces } from './surface';
@@ -15,11 +15,12 @@ import { isBinaryStl, readStl } from './stl';
 
 export type { Body, Format, OpenModel, PrimitiveSpan, SourceFile } from './model';
 
-const SURFACE_READERS = { obj: readObj, stl: readStl, ply: readPly, off: readOff };
+const SURFACE_READERS = { stl: readStl, ply: readPly, off: readOff };
 const READABLE = 'a GLB, glTF, OBJ, STL, PLY or OFF file';
 
 /**
- * Opens the only model among `files`; the others are its companions (buffers and textures of a .gltf).
+ * Opens the only model among `files`; the others are its companions (buffers and textures of a .gltf, material libraries
+ * and textures of an OBJ).
  * Throws an Error whose one sentence says what is wrong, where, and what to do; also for a glTF without triangles.
  */
 export async function openModel(files: SourceFile[]): Promise<OpenModel> {
@@ -40,6 +41,7 @@ export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
   const { file, format } = chooseModel(all);
   return readSafely(file.name, async () => {
     if (format === 'glb' || format === 'gltf') return openGltf(file, format, all);
+    if (format === 'obj') return openObj(file, all);
     return modelOfSurfaces(file.name, format, SURFACE_READERS[format](file));
   });
 }

@@ -34,17 +34,26 @@ export interface SurfaceFile {
   libraries?: string[];
 }
 
-export function modelOfSurfaces(name: string, format: Format, file: SurfaceFile): OpenModel {
+/** Finds or makes the material of a name, for a surface with or without UVs. */
+export type MaterialMaker = (name: string, hasUvs: boolean) => Material;
+
+/** `makerOf`: where more is known of materials than their names. */
+export function modelOfSurfaces(
+  name: string,
+  format: Format,
+  file: SurfaceFile,
+  makerOf: (document: Document) => MaterialMaker = plainMaker,
+): OpenModel {
   const document = new Document().setLogger(SILENT);
   document.createBuffer();
   const scene = document.createScene();
   document.getRoot().setDefaultScene(scene);
-  const materials = new Map<string, Material>();
+  const materialOf = makerOf(document);
   const bodies = file.surfaces.map((surface, index): Body => {
     const { positions, indices, notes } = surface;
     const parts = surface.parts ?? [{ material: '', first: 0 }];
     const mesh = document.createMesh(surface.name);
-    for (const primitive of primitivesOf(document, surface, parts, materials)) mesh.addPrimitive(primitive);
+    for (const primitive of primitivesOf(document, surface, parts, materialOf)) mesh.addPrimitive(primitive);
     scene.addChild(document.createNode(surface.name).setMesh(mesh));
     const spans = parts.map(({ first }, primitive) => ({ primitive, first, firstVertex: 0 }));
     return { name: surface.name, positions, indices, notes, mesh: index, spans, scale: 1 };
@@ -58,7 +67,7 @@ function primitivesOf(
   document: Document,
   { positions, indices, attributes = {} }: Surface,
   parts: { material: string; first: number }[],
-  materials: Map<string, Material>,
+  materialOf: MaterialMaker,
 ): Primitive[] {
   const [buffer] = document.getRoot().listBuffers();
   const shared = Object.entries({ POSITION: positions, ...attributes }).map(
@@ -71,7 +80,9 @@ function primitivesOf(
       .createPrimitive()
       .setIndices(accessor.setArray(corners as Uint32Array<ArrayBuffer>));
     for (const [semantic, values] of shared) primitive.setAttribute(semantic, values);
-    return material === '' ? primitive : primitive.setMaterial(materialNamed(document, materials, material));
+    return material === ''
+      ? primitive
+      : primitive.setMaterial(materialOf(material, 'TEXCOORD_0' in attributes));
   });
 }
 
@@ -89,11 +100,15 @@ function accessorOf(
     .setArray(array as Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer>);
 }
 
-/** Only the name of a material is known. */
-function materialNamed(document: Document, materials: Map<string, Material>, name: string): Material {
-  const known = materials.get(name);
-  if (known) return known;
-  const material = document.createMaterial(name).setMetallicFactor(0);
-  materials.set(name, material);
-  return material;
+/** A material of which only the name is known. */
+export const plainMaterial = (document: Document, name: string): Material =>
+  document.createMaterial(name).setMetallicFactor(0);
+
+function plainMaker(document: Document): MaterialMaker {
+  const made = new Map<string, Material>();
+  return (name) => {
+    const material = made.get(name) ?? plainMaterial(document, name);
+    made.set(name, material);
+    return material;
+  };
 }

@@ -25,7 +25,7 @@ export function checkWritten(
   const form = outputForm(name, settings.format, model.format);
   checkForm(form, { compression: settings.compress, style: settings.lodStyle, levels: settings.lods.length });
   if (form.format !== 'glb' && form.format !== 'gltf')
-    return { form, lost: [...lostIn(form.format, model.document), ...model.unread] };
+    return { form, lost: [...lostIn(form.format, model), ...model.unread] };
   const { dropExtensions } = settings;
   const refused = refusedExtensions(model, chosen);
   const isDropped = (extension: RefusedExtension) =>

@@ -1,22 +1,29 @@
 /** What formats without a scene cannot hold of a document, in plain words. */
 
-import type { Document, Material, Primitive, Root } from '@gltf-transform/core';
+import type { Material, Primitive, Root } from '@gltf-transform/core';
+import { KHRTextureTransform } from '@gltf-transform/extensions';
 import { counted } from '../../core/words';
 import type { WrittenFormat } from '../../core/output_words';
+import type { OpenModel } from '../model';
 import { INSTANCING } from '../placements';
 import { shownNodes } from './flat_meshes';
 
 /** glTF's primitive mode. */
 const TRIANGLES = 4;
 
-/** What a file of this format leaves out of the document; empty for GLB and glTF. */
-export function lostIn(format: WrittenFormat, document: Document): string[] {
+/** What a file of this format leaves out of a model; empty for GLB and glTF. An OBJ of an OBJ names the same material libraries. */
+export function lostIn(
+  format: WrittenFormat,
+  { document, libraries = [] }: Pick<OpenModel, 'document' | 'libraries'>,
+): string[] {
   if (format === 'glb' || format === 'gltf') return [];
   const root = document.getRoot();
   const all = root.listMeshes().flatMap((mesh) => mesh.listPrimitives());
   const primitives = all.filter(hasTriangles);
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length));
-  const materials = root.listMaterials();
+  const keepsMaterials = format === 'obj' && libraries.length > 0;
+  const materials = keepsMaterials ? [] : root.listMaterials();
+  const carried = [INSTANCING, ...(keepsMaterials ? [KHRTextureTransform.EXTENSION_NAME] : [])];
   const count = (length: number, one: string, many?: string) =>
     length > 0 ? [counted(length, one, many)] : [];
   const shown = new Set(shownNodes(document).map((node) => node.getMesh()));
@@ -32,7 +39,7 @@ export function lostIn(format: WrittenFormat, document: Document): string[] {
     ...(format === 'ply' ? count(materials.length, 'material') : [...new Set(materials.flatMap(unsaid))]),
     ...root
       .listExtensionsUsed()
-      .filter(({ extensionName }) => extensionName !== INSTANCING)
+      .filter(({ extensionName }) => !carried.includes(extensionName))
       .map(({ extensionName }) => `extension ${extensionName}`),
   ];
 }

@@ -24,7 +24,7 @@ export function writeObj(
   const stem = name.replace(/\.obj$/i, '');
   const lines = new TextPieces();
   const meshes = flatMeshes(document);
-  const materials = new MaterialLibrary(imageNames(document, stem));
+  const materials = new MaterialLibrary(imageNames(document, stem), libraries.length > 0);
   const hasOwn =
     libraries.length === 0 && meshes.some(({ primitives }) => primitives.some((p) => p.material));
   const named = hasOwn ? [`${stem}.mtl`] : libraries;

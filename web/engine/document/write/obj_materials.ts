@@ -10,15 +10,18 @@ export class MaterialLibrary {
   private readonly names = new Map<Material | null, string>();
   private readonly shown = new Set<Texture>();
 
-  /** `imageNames`: the file of each texture. */
-  constructor(private readonly imageNames: Map<Texture, string>) {}
+  /** `imageNames`: the file of each texture. `isKept`: names stay, as libraries of the input say what they look like. */
+  constructor(
+    private readonly imageNames: Map<Texture, string>,
+    private readonly isKept: boolean,
+  ) {}
 
   /** Whether no material has been named yet. */
   get isEmpty(): boolean {
     return this.names.size === 0;
   }
 
-  /** A name that no other material has. */
+  /** A name that no other material has, unless names stay. */
   nameOf(material: Material | null): string {
     const known = this.names.get(material);
     if (known !== undefined) return known;
@@ -30,7 +33,7 @@ export class MaterialLibrary {
       : NONE;
     const taken = new Set(this.names.values());
     let free = plain;
-    for (let number = 2; taken.has(free); ++number) free = `${plain} ${number}`;
+    for (let number = 2; !this.isKept && taken.has(free); ++number) free = `${plain} ${number}`;
     this.names.set(material, free);
     return free;
   }

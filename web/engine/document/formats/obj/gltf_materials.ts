@@ -1,0 +1,155 @@
+/** What MTL says of a material, as a material of glTF. docs/formats.md has the rules where the two differ, with their sources. */
+
+import type { Material, Texture } from '@gltf-transform/core';
+import type { LeftOut } from './left_out';
+import type { FoundMaterial } from './libraries';
+import type { MtlMaterial, Rgb } from './mtl';
+import type { MtlMap } from './mtl_map';
+import { hasAlpha } from './pictures';
+import type { Pictures } from './pictures';
+
+/** Exponents of highlights go up to here. */
+const MOST_EXPONENT = 1000;
+
+const WHITE: Rgb = [1, 1, 1];
+
+/** Keywords of pictures by what they are for; of several that a material has the first. */
+const MAPS = {
+  colour: ['map_kd'],
+  opacity: ['map_d'],
+  emission: ['map_ke', 'map_emissive'],
+  normals: ['norm', 'map_kn'],
+  bumps: ['map_bump', 'bump'],
+  roughness: ['map_pr'],
+  metalness: ['map_pm'],
+} as const;
+
+type MapUse = keyof typeof MAPS;
+
+/** Keywords of the pictures that are looked for. */
+export const READ_MAPS: readonly string[] = Object.values(MAPS).flat();
+
+/** Whether any picture is looked for. */
+export const hasMaps = ({ material }: FoundMaterial): boolean =>
+  READ_MAPS.some((keyword) => material.maps.has(keyword));
+
+/** Stems of pictures that hold normals although a library calls them bump maps, as those of Blender do. */
+const NORMAL_NAME = /normal|(^|[^a-z])(norm|nrm|nor)([^a-z]|$)|_n$/i;
+
+/** A picture that is there, and how it lies on the surface. */
+interface Shown {
+  texture: Texture;
+  map: MtlMap;
+}
+
+/** Looks for the picture of a use. */
+type Find = (use: MapUse) => Shown | null;
+
+/** Gives a plain material its look. `hasUvs`: those of its surface, which textures need. */
+export function dress(
+  material: Material,
+  { material: mtl, library }: FoundMaterial,
+  { hasUvs, ...context }: { pictures: Pictures; leftOut: LeftOut; hasUvs: boolean },
+): void {
+  const find: Find = (use) => {
+    const map = hasUvs ? mapOf(mtl, use) : null;
+    const texture = map && context.pictures.textureOf(library, map.name);
+    return texture ? { texture, map } : null;
+  };
+  dressColour(material, mtl, { find, ...context });
+  dressSurface(material, mtl, { find, ...context });
+  dressEmission(material, mtl, { find, ...context });
+  dressNormals(material, { find, ...context });
+}
+
+const mapOf = (mtl: MtlMaterial, use: MapUse): MtlMap | null =>
+  MAPS[use].map((keyword) => mtl.maps.get(keyword)).find((map) => map !== undefined) ?? null;
+
+interface Context {
+  find: Find;
+  pictures: Pictures;
+  leftOut: LeftOut;
+}
+
+function dressColour(material: Material, mtl: MtlMaterial, { find, pictures, leftOut }: Context): void {
+  const colour = find('colour');
+  const [red, green, blue] = tintOf(mtl.colours.get('kd') ?? WHITE, colour !== null);
+  const alpha = opacityOf(mtl);
+  material.setBaseColorFactor([red, green, blue, alpha]);
+  if (colour) {
+    material.setBaseColorTexture(colour.texture);
+    pictures.place(material.getBaseColorTextureInfo()!, colour.map);
+  }
+  const opacity = find('opacity');
+  const isInColour = opacity !== null && opacity.texture === colour?.texture && hasAlpha(opacity.texture);
+  if (opacity && !isInColour) leftOut.add('opacity', opacity.map.name);
+  if (alpha < 1 || isInColour) material.setAlphaMode('BLEND');
+}
+
+/** A grey beside a picture is what programs leave there, and many pictures would be dark or black by it. */
+function tintOf(colour: Rgb, isTextured: boolean): Rgb {
+  const [red, green, blue] = colour;
+  return isTextured && red === green && green === blue ? WHITE : (colour.map(toUnit) as Rgb);
+}
+
+/** An opacity of 0 is that of programs which write the transparency in its place, or the opacity for the transparency. */
+function opacityOf({ numbers }: MtlMaterial): number {
+  const opacity = toUnit(numbers.get('d') ?? 1 - (numbers.get('tr') ?? 0));
+  return opacity === 0 ? 1 : opacity;
+}
+
+const toUnit = (value: number): number => Math.min(1, Math.max(0, value));
+
+function dressSurface(material: Material, mtl: MtlMaterial, { find, pictures, leftOut }: Context): void {
+  const [roughness, metalness] = [find('roughness'), find('metalness')];
+  const metallic = toUnit(mtl.numbers.get('pm') ?? 0);
+  const isPacked = roughness !== null && roughness.texture === metalness?.texture;
+  // Of a grey picture, the green channel is the roughness; the blue one counts for nothing where nothing is metal.
+  if (roughness && (isPacked || (!metalness && metallic === 0))) {
+    material.setMetallicRoughnessTexture(roughness.texture);
+    pictures.place(material.getMetallicRoughnessTextureInfo()!, roughness.map);
+    material.setRoughnessFactor(1).setMetallicFactor(isPacked ? 1 : 0);
+    return;
+  }
+  for (const shown of [roughness, metalness]) if (shown) leftOut.add('metal', shown.map.name);
+  material.setRoughnessFactor(roughnessOf(mtl)).setMetallicFactor(metallic);
+}
+
+/** Blender's, where the file has none of its own: highlights of an exponent of 1,000 are those of a mirror. */
+function roughnessOf({ numbers, colours }: MtlMaterial): number {
+  const own = numbers.get('pr');
+  if (own !== undefined) return toUnit(own);
+  const hasHighlights =
+    (numbers.get('illum') ?? 2) > 1 && (colours.get('ks') ?? WHITE).some((value) => value > 0);
+  const exponent = hasHighlights ? (numbers.get('ns') ?? 0) : 0;
+  return 1 - Math.sqrt(toUnit(exponent / MOST_EXPONENT));
+}
+
+/** Light above 1 keeps its hue. */
+function dressEmission(material: Material, { colours }: MtlMaterial, { find, pictures }: Context): void {
+  const shown = find('emission');
+  const own = colours.get('ke') ?? [0, 0, 0];
+  const colour = shown && own.every((value) => value === 0) ? WHITE : own;
+  const most = Math.max(1, ...colour);
+  material.setEmissiveFactor(colour.map((value) => value / most) as Rgb);
+  if (!shown) return;
+  material.setEmissiveTexture(shown.texture);
+  pictures.place(material.getEmissiveTextureInfo()!, shown.map);
+}
+
+function dressNormals(material: Material, context: Context): void {
+  const shown = context.find('normals') ?? normalsAmongBumps(context);
+  if (!shown) return;
+  material.setNormalTexture(shown.texture).setNormalScale(shown.map.strength);
+  context.pictures.place(material.getNormalTextureInfo()!, shown.map);
+}
+
+/** A bump map whose name says that it has normals. */
+function normalsAmongBumps({ find, leftOut }: Context): Shown | null {
+  const shown = find('bumps');
+  if (!shown) return null;
+  const stem = shown.map.name.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
+  if (NORMAL_NAME.test(stem)) return shown;
+  leftOut.add('heights', shown.map.name);
+  return null;
+}

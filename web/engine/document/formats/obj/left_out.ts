@@ -1,0 +1,73 @@
+/** What of the materials of an OBJ does not come into the document, as notes. */
+
+import { counted } from '../../../core/words';
+import { excerpt } from '../../text_scanner';
+
+/** At most so many names stand in a note. */
+const NAMES_SHOWN = 5;
+
+interface Kind {
+  one: string;
+  several: string;
+  /** what becomes of it, why, and the cure */
+  fate: string;
+}
+
+const KINDS = {
+  missing: {
+    one: 'texture',
+    several: 'textures',
+    fate: 'left out, not there or outside of the folder: put the pictures beside the model',
+  },
+  format: {
+    one: 'texture',
+    several: 'textures',
+    fate: 'left out, neither PNG nor JPEG, which glTF takes: convert the pictures, and name the new ones in the material library',
+  },
+  heights: {
+    one: 'bump map',
+    several: 'bump maps',
+    fate: 'left out, glTF has normals in place of heights: bake a normal map and name it by norm',
+  },
+  opacity: {
+    one: 'map of opacity',
+    several: 'maps of opacity',
+    fate: 'left out, glTF has opacity in the picture of the colour: put it into the alpha channel of a PNG, and name that by map_Kd and map_d',
+  },
+  metal: {
+    one: 'map of roughness or metalness',
+    several: 'maps of roughness or metalness',
+    fate: 'left out, glTF has both in one picture: put roughness into its green and metalness into its blue channel, and name it by map_Pr and map_Pm',
+  },
+  undefined: {
+    one: 'material',
+    several: 'materials',
+    fate: 'plain, as no material library has it by name',
+  },
+  library: {
+    one: 'material library',
+    several: 'material libraries',
+    fate: 'left out, not text in UTF-8, or more than 8 MB: save it as UTF-8, or part it',
+  },
+} as const satisfies Record<string, Kind>;
+
+export type LeftOutKind = keyof typeof KINDS;
+
+export class LeftOut {
+  private readonly names = new Map<LeftOutKind, Set<string>>();
+
+  add(kind: LeftOutKind, name: string): void {
+    if (!this.names.has(kind)) this.names.set(kind, new Set());
+    this.names.get(kind)!.add(name);
+  }
+
+  notes(): string[] {
+    return [...this.names].map(([kind, names]) => describe(KINDS[kind], [...names]));
+  }
+}
+
+function describe({ one, several, fate }: Kind, names: string[]): string {
+  const more = names.length > NAMES_SHOWN ? ` and ${names.length - NAMES_SHOWN} more` : '';
+  const shown = names.slice(0, NAMES_SHOWN).map(excerpt).join(', ');
+  return `${counted(names.length, one, several)} (${shown}${more}) ${fate}`;
+}

@@ -1,0 +1,63 @@
+/** The materials that an OBJ uses, from the libraries that came with it. */
+
+import { isSentence } from '../../checks/reading_failure';
+import type { SourceFile } from '../../model';
+import { libraryPaths, MOST_LIBRARY_BYTES } from './companion_paths';
+import type { LeftOut } from './left_out';
+import { readMtl } from './mtl';
+import type { MtlMaterial } from './mtl';
+import type { NamedFiles } from './named_files';
+
+/** A material with the name of the library that it is from: its pictures are named from there. */
+export interface FoundMaterial {
+  material: MtlMaterial;
+  library: string;
+}
+
+interface Asked {
+  /** the name of the OBJ */
+  main: string;
+  /** what follows each `mtllib` */
+  statements: readonly string[];
+  /** names of the materials that faces have */
+  used: ReadonlySet<string>;
+}
+
+/**
+ * By name; the first library that has a material of this name says what it is. Complete unless a library that
+ * is missing could have had a material; what none of those that are there has is said.
+ */
+export function findMaterials(
+  { main, statements, used }: Asked,
+  files: NamedFiles,
+  leftOut: LeftOut,
+): { found: Map<string, FoundMaterial>; isComplete: boolean } {
+  const found = new Map<string, FoundMaterial>();
+  const libraries = libraryPaths(main, statements).map((paths) => files.find(paths));
+  for (const library of new Set(libraries)) {
+    if (!library) continue;
+    for (const [name, material] of readLibrary(library, used, leftOut))
+      if (!found.has(name)) found.set(name, { material, library: library.name });
+  }
+  const unknown = [...used].filter((name) => !found.has(name));
+  // The last one need not be there, as nothing names it.
+  const isMissing = libraries.slice(0, -1).includes(null);
+  if (!isMissing && libraries.some((library) => library !== null))
+    for (const name of unknown) leftOut.add('undefined', name);
+  return { found, isComplete: !isMissing || unknown.length === 0 };
+}
+
+/** Empty where it is too large or not text. */
+function readLibrary(
+  library: SourceFile,
+  used: ReadonlySet<string>,
+  leftOut: LeftOut,
+): Map<string, MtlMaterial> {
+  try {
+    if (library.bytes.length <= MOST_LIBRARY_BYTES) return readMtl(library, used);
+  } catch (error) {
+    if (!isSentence(error)) throw error;
+  }
+  leftOut.add('library', library.name);
+  return new Map();
+}

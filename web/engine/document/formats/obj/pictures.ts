@@ -1,0 +1,97 @@
+/** The pictures of materials as textures of a document, as far as glTF takes them. */
+
+import { TextureInfo } from '@gltf-transform/core';
+import type { Document, Texture } from '@gltf-transform/core';
+import { KHRTextureTransform } from '@gltf-transform/extensions';
+import { addressOf } from '../../write/shared_images';
+import type { SourceFile } from '../../model';
+import { picturePaths } from './companion_paths';
+import type { LeftOut } from './left_out';
+import type { MtlMap } from './mtl_map';
+import type { NamedFiles } from './named_files';
+
+const PNG_MARK = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+const JPEG_MARK = [0xff, 0xd8, 0xff];
+/** Mark and first chunk of a PNG. */
+const PNG_HEADER_BYTES = 33;
+/** Where the first chunk of a PNG has its colour type, and the types that have alpha. */
+const PNG_COLOUR_TYPE = 25;
+const PNG_TYPES_WITH_ALPHA = [4, 6];
+
+export class Pictures {
+  private readonly textures = new Map<SourceFile, Texture | null>();
+
+  constructor(
+    private readonly document: Document,
+    private readonly main: string,
+    private readonly files: NamedFiles,
+    private readonly leftOut: LeftOut,
+  ) {}
+
+  /** One texture for each file; null for what is not there or not of a kind that glTF takes, which is said. */
+  textureOf(library: string, name: string): Texture | null {
+    const file = this.files.find(picturePaths(this.main, library, name));
+    if (!file) {
+      this.leftOut.add('missing', name);
+      return null;
+    }
+    if (!this.textures.has(file)) this.textures.set(file, this.create(file));
+    return this.textures.get(file)!;
+  }
+
+  /**
+   * Lays a texture as the line of its picture says. MTL counts v from the lower edge and glTF from the upper one: 1 - v becomes
+   * 1 - (scale v + offset).
+   */
+  place(info: TextureInfo, { scale, offset, isClamped }: MtlMap): void {
+    const { CLAMP_TO_EDGE } = TextureInfo.WrapMode;
+    if (isClamped) info.setWrapS(CLAMP_TO_EDGE).setWrapT(CLAMP_TO_EDGE);
+    const [[scaleU, scaleV], [offsetU, offsetV]] = [scale, offset];
+    if (scaleU === 1 && scaleV === 1 && offsetU === 0 && offsetV === 0) return;
+    const transform = this.document
+      .createExtension(KHRTextureTransform)
+      .createTransform()
+      .setScale([scaleU, scaleV])
+      .setOffset([offsetU, 1 - scaleV - offsetV]);
+    info.setExtension(KHRTextureTransform.EXTENSION_NAME, transform);
+  }
+
+  private create({ name, bytes }: SourceFile): Texture | null {
+    const type = mimeTypeOf(bytes);
+    if (type === null) {
+      this.leftOut.add('format', name);
+      return null;
+    }
+    return this.document
+      .createTexture(name.replace(/^.*[/\\]/, '').replace(/\.[^.]*$/, ''))
+      .setMimeType(type)
+      .setURI(addressOf(name.replaceAll('\\', '/')))
+      .setImage(new Uint8Array(bytes));
+  }
+}
+
+/** By its first bytes: names do not always tell. */
+function mimeTypeOf(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
+  if (startsWith(bytes, PNG_MARK) && bytes.length >= PNG_HEADER_BYTES) return 'image/png';
+  return startsWith(bytes, JPEG_MARK) ? 'image/jpeg' : null;
+}
+
+const startsWith = (bytes: Uint8Array, mark: number[]): boolean => mark.every((byte, i) => bytes[i] === byte);
+
+/** Whether it is a PNG with an alpha channel, or with a list of colours of which some are transparent. */
+export function hasAlpha(texture: Texture): boolean {
+  const bytes = texture.getImage();
+  if (!bytes || texture.getMimeType() !== 'image/png') return false;
+  return PNG_TYPES_WITH_ALPHA.includes(bytes[PNG_COLOUR_TYPE]) || hasTransparentColours(bytes);
+}
+
+/** Whether there is a chunk tRNS before the pixels. */
+function hasTransparentColours(bytes: Uint8Array): boolean {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  for (let at = PNG_MARK.length; at + 12 <= bytes.length; at += 12 + view.getUint32(at)) {
+    const chunk = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
+    if (chunk === 'tRNS') return true;
+    if (chunk === 'IDAT') return false;
+  }
+  return false;
+}
