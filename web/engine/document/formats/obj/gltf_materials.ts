@@ -78,7 +78,7 @@ function dressColour(material: Material, mtl: MtlMaterial, { find, pictures, lef
   material.setBaseColorFactor([red, green, blue, alpha]);
   if (colour) {
     material.setBaseColorTexture(colour.texture);
-    pictures.place(material.getBaseColorTextureInfo()!, colour.map);
+    pictures.lay(material.getBaseColorTextureInfo()!, colour.map);
   }
   const opacity = find('opacity');
   const isInColour = opacity !== null && opacity.texture === colour?.texture && hasAlpha(opacity.texture);
@@ -107,7 +107,7 @@ function dressSurface(material: Material, mtl: MtlMaterial, { find, pictures, le
   // Of a grey picture, the green channel is the roughness; the blue one counts for nothing where nothing is metal.
   if (roughness && (isPacked || (!metalness && metallic === 0))) {
     material.setMetallicRoughnessTexture(roughness.texture);
-    pictures.place(material.getMetallicRoughnessTextureInfo()!, roughness.map);
+    pictures.lay(material.getMetallicRoughnessTextureInfo()!, roughness.map);
     material.setRoughnessFactor(1).setMetallicFactor(isPacked ? 1 : 0);
     return;
   }
@@ -134,14 +134,14 @@ function dressEmission(material: Material, { colours }: MtlMaterial, { find, pic
   material.setEmissiveFactor(colour.map((value) => value / most) as Rgb);
   if (!shown) return;
   material.setEmissiveTexture(shown.texture);
-  pictures.place(material.getEmissiveTextureInfo()!, shown.map);
+  pictures.lay(material.getEmissiveTextureInfo()!, shown.map);
 }
 
 function dressNormals(material: Material, context: Context): void {
   const shown = context.find('normals') ?? normalsAmongBumps(context);
   if (!shown) return;
   material.setNormalTexture(shown.texture).setNormalScale(shown.map.strength);
-  context.pictures.place(material.getNormalTextureInfo()!, shown.map);
+  context.pictures.lay(material.getNormalTextureInfo()!, shown.map);
 }
 
 /** A bump map whose name says that it has normals. */

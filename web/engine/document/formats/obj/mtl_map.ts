@@ -43,7 +43,7 @@ export function readMap(rest: string): MtlMap {
       isNamed = named.length > 0;
     } else if (!isNamed) named.push(words[i]);
   }
-  return { name: nameOf(line, named), ...placementOf(options) };
+  return { name: nameOf(line, named), ...valuesOf(options) };
 }
 
 /** The words of an option among those that follow it; null where it is none. */
@@ -64,7 +64,7 @@ function nameOf(line: string, words: RegExpExecArray[]): string {
   return name.replaceAll('"', '').replaceAll('\\', '/').trim();
 }
 
-function placementOf(options: Map<string, string[]>): Omit<MtlMap, 'name'> {
+function valuesOf(options: Map<string, string[]>): Omit<MtlMap, 'name'> {
   const number = (option: string, i: number, otherwise: number): number => {
     const value = Number(options.get(option)?.[i] ?? NaN);
     return Number.isFinite(Math.fround(value)) ? value : otherwise;

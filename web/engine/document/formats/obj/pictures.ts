@@ -43,7 +43,7 @@ export class Pictures {
    * Lays a texture as the line of its picture says. MTL counts v from the lower edge and glTF from the upper one: 1 - v becomes
    * 1 - (scale v + offset).
    */
-  place(info: TextureInfo, { scale, offset, isClamped }: MtlMap): void {
+  lay(info: TextureInfo, { scale, offset, isClamped }: MtlMap): void {
     const { CLAMP_TO_EDGE } = TextureInfo.WrapMode;
     if (isClamped) info.setWrapS(CLAMP_TO_EDGE).setWrapT(CLAMP_TO_EDGE);
     const [[scaleU, scaleV], [offsetU, offsetV]] = [scale, offset];
