@@ -141,7 +141,7 @@ describe('what a format leaves out', () => {
     expect(lostIn('obj', { document })).toEqual(opacity);
     document.getRoot().listMeshes()[0].addPrimitive(sheet());
     expect(lostIn('obj', { document })).toContain('vertex colours, which not all parts of a mesh have');
-    expect(lostIn('glb', document)).toEqual([]);
+    expect(lostIn('glb', { document })).toEqual([]);
   });
 
   it('names meshes of other scenes and of none', () => {
