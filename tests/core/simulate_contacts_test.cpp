@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <vector>
 
 #include "base/parallel.h"
@@ -123,6 +124,91 @@ TEST(SelfContacts, takeMemoryInProportionToTheEdges) {
   // Lists of the vertices two edges away would take 3.6 GB.
   const SelfContacts contacts(cone, 0.3);
   EXPECT_EQ(contacts.count(), 0u);
+}
+
+// A sheet of cells of 1 m, and above its middle a sheet of as many cells of 1 cm.
+TriangleMesh coarseAndFineSheet(int cells) {
+  TriangleMesh mesh = shapes::grid(cells, cells, cells, cells);
+  const TriangleMesh fine = shapes::grid(cells, cells, 0.01 * cells, 0.01 * cells);
+  const uint32_t first = mesh.vertexCount();
+  for (const Vec3& p : fine.positions) mesh.positions.push_back(p + Vec3{0.5 * cells, 0.5 * cells, 0.1});
+  for (const Triangle& t : fine.triangles)
+    mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  return mesh;
+}
+
+Particles particlesAt(const std::vector<Vec3>& positions) {
+  Particles particles;
+  particles.positions = positions;
+  particles.inverseMass.assign(positions.size(), 1.0);
+  particles.motion.assign(positions.size(), Motion{});
+  return particles;
+}
+
+TEST(SelfContacts, ofAFinePartInACoarseBodyAreInProportionToItsVertices) {
+  const TriangleMesh mesh = coarseAndFineSheet(50);
+  SelfContacts contacts(mesh, 0.3);
+  contacts.rebase(particlesAt(mesh.positions), 10);
+  EXPECT_LT(contacts.count(), 8 * size_t{mesh.vertexCount()});
+}
+
+double meanEdgeAt(const TriangleMesh& mesh, uint32_t vertex) {
+  double sum = 0, count = 0;
+  for (const auto& edge : buildTopology(mesh).edges)
+    if (edge.a == vertex || edge.b == vertex) {
+      sum += length(mesh.positions[edge.a] - mesh.positions[edge.b]);
+      ++count;
+    }
+  return sum / count;
+}
+
+// Two triangles of different size, each vertex of which is at rest 100 m away from the other triangle.
+TEST(SelfContacts, keepVerticesApartByTheMeanOfTheirEdges) {
+  for (const double size : {1.0, 0.6, 0.03, 1e-4}) {
+    TriangleMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1.2, 0}, {100, 0, 0}, {100 + size, 0, 0}, {100, size, 0}},
+                         {{0, 1, 2}, {3, 4, 5}}};
+    const double distance = (meanEdgeAt(mesh, 0) + meanEdgeAt(mesh, 3)) / 2;
+    SelfContacts contacts(mesh, 0);
+    for (const double near : {0.99, 0.5}) {
+      Particles particles =
+          particlesAt({{0, 0, 0}, {50, 0, 0}, {0, 50, 0}, {0, 0, near * distance}, {0, 0, 50}, {0, 70, 0}});
+      contacts.rebase(particles, 10);
+      ASSERT_EQ(contacts.count(), 1u) << size;
+      contacts.project(particles);
+      EXPECT_NEAR(double{particles.motion[3].q[2] - particles.motion[0].q[2]}, (1 - near) * distance,
+                  1e-6 * distance);
+    }
+  }
+}
+
+// Folded in half, so that vertices of every size meet each other.
+TEST(SelfContacts, areAllPairsThatAComparisonOfEachWithEachFinds) {
+  constexpr int kCells = 14;
+  TriangleMesh mesh = shapes::grid(kCells, kCells);
+  for (Vec3& p : mesh.positions) p = {p.x * p.x * p.x, p.y, 0};
+  std::vector<Vec3> folded = mesh.positions;
+  for (Vec3& p : folded)
+    if (p.y > 0.5) p = {p.x, 1.01 - p.y, 0.02};
+  SelfContacts contacts(mesh, 0.3);
+  contacts.rebase(particlesAt(folded), 10);
+
+  std::vector<double> width;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) width.push_back(meanEdgeAt(mesh, v));
+  std::vector<std::set<uint32_t>> ring(mesh.vertexCount());
+  for (const Triangle& t : mesh.triangles)
+    for (const uint32_t v : t) ring[v].insert(t.begin(), t.end());
+  const auto areNear = [&](uint32_t a, uint32_t b) {
+    return std::ranges::any_of(ring[a], [&](uint32_t v) { return ring[b].contains(v); });
+  };
+  size_t expected = 0;
+  for (uint32_t b = 0; b < mesh.vertexCount(); ++b)
+    for (uint32_t a = 0; a < b; ++a) {
+      const double mean = (width[a] + width[b]) / 2, atRest = length(mesh.positions[a] - mesh.positions[b]);
+      const bool meet = length(folded[a] - folded[b]) < std::min(mean, atRest) + 0.1 * mean;
+      expected += meet && !areNear(a, b);
+    }
+  EXPECT_GT(expected, 500u);
+  EXPECT_EQ(contacts.count(), expected);
 }
 
 TEST(SimulatedContacts, contactsOfTrianglesChangeNoBitWithTheNumberOfThreads) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "mesh/topology.h"
 #include "simulate/contacts/contact_surface.h"
@@ -43,19 +45,56 @@ std::vector<uint32_t> ringOf(const TriangleMesh& mesh, const Topology& topology,
   return ring;
 }
 
+// Per vertex the mean length of its edges; 0 without any.
+std::vector<double> meanEdgeLengths(const TriangleMesh& mesh, const Topology& topology) {
+  std::vector<double> mean(mesh.vertexCount(), 0.0);
+  std::vector<uint32_t> count(mesh.vertexCount(), 0);
+  for (const auto& edge : topology.edges)
+    for (const uint32_t v : {edge.a, edge.b}) {
+      mean[v] += length(mesh.positions[edge.a] - mesh.positions[edge.b]);
+      ++count[v];
+    }
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (count[v] > 0) mean[v] /= count[v];
+  return mean;
+}
+
+// How far beyond its ball a vertex of that width is looked for. The limit keeps cells small; faster vertices
+// may pass through.
+double marginOf(double width, double travel) {
+  return std::min(travel + 0.05 * width, width / 2);
+}
+
+// So wide that two vertices that are no wider and may touch lie in the same cell or in neighbouring ones.
+double cellFor(double width, double travel) {
+  return width + 2 * marginOf(width, travel);
+}
+
 }  // namespace
 
 SelfContacts::SelfContacts(const TriangleMesh& mesh, double friction)
     : rest_(mesh.positions), friction_(static_cast<float>(friction)) {
   const Topology topology = buildTopology(mesh);
-  for (const auto& edge : topology.edges)
-    distance_ += length(rest_[edge.a] - rest_[edge.b]) / static_cast<double>(topology.edges.size());
+  width_ = meanEdgeLengths(mesh, topology);
+  findLevels();
   ringStart_.push_back(0);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const auto ring = ringOf(mesh, topology, v);
     rings_.insert(rings_.end(), ring.begin(), ring.end());
     ringStart_.push_back(static_cast<uint32_t>(rings_.size()));
   }
+}
+
+// Widths of one level differ by less than a factor of 2, so that the cells suit all of them.
+void SelfContacts::findLevels() {
+  std::map<int, Level> levelOfExponent;
+  for (uint32_t v = 0; v < width_.size(); ++v) {
+    if (!(width_[v] > 0)) continue;
+    Level& level = levelOfExponent[std::ilogb(width_[v])];
+    level.widest = std::max(level.widest, width_[v]);
+    level.cells.push_back({0, v});
+  }
+  for (auto& [exponent, level] : levelOfExponent) levels_.push_back(std::move(level));
 }
 
 // Each ring has its own vertex, so that the rings of neighbours meet as well.
@@ -65,47 +104,58 @@ bool SelfContacts::areNear(uint32_t a, uint32_t b) const {
   return std::ranges::any_of(shorter, [&](uint32_t v) { return std::ranges::binary_search(longer, v); });
 }
 
-void SelfContacts::addPair(const Particles& particles, uint32_t a, uint32_t b, double searchDistance) {
+void SelfContacts::addPair(const Particles& particles, uint32_t a, uint32_t b, double travel) {
+  if (a > b) std::swap(a, b);
   const double atRest = length(rest_[a] - rest_[b]), wa = particles.inverseMass[a],
                wb = particles.inverseMass[b];
   const Vec3 apart = particles.positions[a] - particles.positions[b];
-  const double distance = std::min(distance_, atRest);
-  if (wa + wb == 0 || !(squaredLength(apart) < (distance + searchDistance) * (distance + searchDistance)))
-    return;
+  const double distance = std::min((width_[a] + width_[b]) / 2, atRest);
+  const double reach = distance + marginOf(width_[a], travel) + marginOf(width_[b], travel);
+  if (wa + wb == 0 || !(squaredLength(apart) < reach * reach)) return;
   if (areNear(a, b)) return;
   pairs_.push_back({a, b, toFloat4(apart), static_cast<float>(distance), static_cast<float>(wa / (wa + wb)),
                     static_cast<float>(wb / (wa + wb))});
 }
 
-void SelfContacts::rebase(const Particles& particles, int substeps) {
+SelfContacts::Search SelfContacts::searchOf(const Particles& particles, int substeps) const {
   float fastest = 0;
-  Grid grid = {particles.positions[0], 0};
+  Vec3 low = particles.positions[0];
   for (uint32_t v = 0; v < particles.count(); ++v) {
     fastest = std::max(fastest, dot3(particles.motion[v].q, particles.motion[v].q));
-    for (int c = 0; c < 3; ++c) grid.low[c] = std::min(grid.low[c], particles.positions[v][c]);
+    for (int c = 0; c < 3; ++c) low[c] = std::min(low[c], particles.positions[v][c]);
   }
-  // Both vertices may move towards each other. The limit keeps cells small; faster vertices may pass through.
-  const double searchDistance =
-      std::min(2.0 * substeps * std::sqrt(double{fastest}) + 0.1 * distance_, distance_);
-  grid.cell = distance_ + searchDistance;
-  cells_.clear();
-  for (uint32_t v = 0; v < particles.count(); ++v)
-    cells_.push_back({keyOf(grid.cellOf(particles.positions[v])), v});
-  std::sort(cells_.begin(), cells_.end(), [](const Cell& a, const Cell& b) {
-    return a.key != b.key ? a.key < b.key : a.vertex < b.vertex;
-  });
-  pairs_.clear();
-  for (uint32_t v = 0; v < particles.count(); ++v) {
-    const CellIndex at = grid.cellOf(particles.positions[v]);
+  return {low, substeps * std::sqrt(double{fastest})};
+}
+
+// Adds the pairs of a vertex of one level and a vertex of another, or of the same.
+void SelfContacts::findPairs(const Particles& particles, const Search& search, const Level& finer,
+                             const Level& coarser) {
+  const Grid grid = {search.low, cellFor(coarser.widest, search.travel)};
+  for (const Cell& own : finer.cells) {
+    const CellIndex at = grid.cellOf(particles.positions[own.vertex]);
     for (uint64_t z = at[2] - 1; z <= at[2] + 1; ++z)
       for (uint64_t y = at[1] - 1; y <= at[1] + 1; ++y) {
         const uint64_t first = keyOf({at[0] - 1, y, z});
-        auto cell = std::lower_bound(cells_.begin(), cells_.end(), first,
-                                     [](const Cell& a, uint64_t key) { return a.key < key; });
-        for (; cell != cells_.end() && cell->key <= first + 2; ++cell)
-          if (cell->vertex > v) addPair(particles, v, cell->vertex, searchDistance);
+        auto cell = std::ranges::lower_bound(coarser.cells, first, {}, &Cell::key);
+        for (; cell != coarser.cells.end() && cell->key <= first + 2; ++cell)
+          if (&finer != &coarser || cell->vertex > own.vertex)
+            addPair(particles, own.vertex, cell->vertex, search.travel);
       }
   }
+}
+
+void SelfContacts::rebase(const Particles& particles, int substeps) {
+  const Search search = searchOf(particles, substeps);
+  for (Level& level : levels_) {
+    const Grid grid = {search.low, cellFor(level.widest, search.travel)};
+    for (Cell& cell : level.cells) cell.key = keyOf(grid.cellOf(particles.positions[cell.vertex]));
+    std::ranges::sort(level.cells, {}, [](const Cell& cell) { return std::pair(cell.key, cell.vertex); });
+  }
+  pairs_.clear();
+  for (size_t coarser = 0; coarser < levels_.size(); ++coarser)
+    for (size_t finer = 0; finer <= coarser; ++finer)
+      findPairs(particles, search, levels_[finer], levels_[coarser]);
+  std::ranges::sort(pairs_, {}, [](const Pair& pair) { return std::pair(pair.a, pair.b); });
 }
 
 void SelfContacts::project(Particles& particles) const {

@@ -9,11 +9,13 @@
 
 namespace limber {
 
-// Keeps the parts of a body apart that do not lie side by side. Two vertices that are more than two edges
-// away from each other push each other away when they come closer than the mean edge length, or than they are
-// at rest where that is less. This suits cloth of
-// even triangles. A coarse or uneven mesh can slip through itself, and so can a part that moves by more than
-// an edge in a step.
+// Keeps the parts of a body apart that do not lie side by side. Each vertex is the middle of a ball as wide
+// as the edges around it are long, on average. Two vertices that are more than two edges away from each other
+// push each other away when their balls meet, or when they come closer than at rest where that is less. This
+// suits cloth of even triangles. A coarse mesh, or a fine part of an uneven one, can slip through, and so can
+// a part that moves by more than an edge in a step.
+//
+// A vertex without an edge of any length touches nothing.
 class SelfContacts {
  public:
   // `mesh` at rest, in metres.
@@ -32,12 +34,25 @@ class SelfContacts {
     float distance;        // metres, that they are kept apart
     float shareA, shareB;  // w / (w_a + w_b)
   };
-  // A vertex in the grid that pairs are found with.
+  // A vertex in a grid that pairs are found with.
   struct Cell {
     uint64_t key;
     uint32_t vertex;
   };
-  void addPair(const Particles& particles, uint32_t a, uint32_t b, double searchDistance);
+  // The vertices whose balls have nearly the same width, in a grid of cells for balls of that width.
+  struct Level {
+    double widest = 0;  // metres
+    std::vector<Cell> cells;
+  };
+  // Where to look for pairs in one step.
+  struct Search {
+    Vec3 low;       // of all vertices
+    double travel;  // the furthest that a vertex goes, metres
+  };
+  void findLevels();
+  Search searchOf(const Particles& particles, int substeps) const;
+  void findPairs(const Particles& particles, const Search& search, const Level& finer, const Level& coarser);
+  void addPair(const Particles& particles, uint32_t a, uint32_t b, double travel);
 
   // Whether at most two edges lie between them.
   bool areNear(uint32_t a, uint32_t b) const;
@@ -49,10 +64,10 @@ class SelfContacts {
 
   std::vector<Vec3> rest_;
   std::vector<uint32_t> rings_, ringStart_;
-  double distance_ = 0;
+  std::vector<double> width_;  // of each vertex's ball, metres
   float friction_;
-  std::vector<Pair> pairs_;
-  std::vector<Cell> cells_;
+  std::vector<Level> levels_;  // from fine to coarse
+  std::vector<Pair> pairs_;    // by vertex a, then by b
 };
 
 }  // namespace limber
