@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "fit/part_writer.h"
 #include "reduced.h"
 #include "shapes.h"
 #include "surfaces.h"
@@ -199,6 +200,21 @@ TEST(CornerSources, refuseWhatDoesNotFit) {
   EXPECT_THROW(sourceOfCorners(mesh, {.wedges = tooFew, .groups = {}}, reduced(mesh, 20), job),
                std::invalid_argument);
   EXPECT_THROW(sourceOfCorners(wavyGrid(5), {}, reduced(mesh, 20), job), std::invalid_argument);
+}
+
+TEST(CornerSources, refuseFlipsOfAnotherResult) {
+  const TriangleMesh mesh = wavyGrid(6);
+  MeshAt result = reduced(mesh, 40);
+  result.flips = unflipped(result.mesh);
+  Job job;
+  EXPECT_NO_THROW(sourceOfCorners(mesh, {}, result, job));
+  MeshAt beyond = result, another = result, shorter = result, longer = result;
+  beyond.flips.corners[5] = 3 * result.mesh.triangleCount();
+  std::swap(another.flips.corners[0], another.flips.corners[1]);
+  shorter.flips.corners.pop_back();
+  longer.flips.triangles.push_back({0, 1, 2});
+  for (const MeshAt& damaged : {beyond, another, shorter, longer})
+    EXPECT_THROW(sourceOfCorners(mesh, {}, damaged, job), std::invalid_argument);
 }
 
 }  // namespace

@@ -248,10 +248,24 @@ std::vector<uint32_t> invert(const std::vector<uint32_t>& inputOfTriangle, uint3
   return resultOfTriangle;
 }
 
+void checkFlips(const MeshAt& result) {
+  const auto& [triangles, corners] = result.flips;
+  bool fits = triangles.size() == result.mesh.triangleCount() && corners.size() == 3 * triangles.size();
+  for (uint32_t corner = 0; fits && corner < corners.size(); ++corner) {
+    const uint32_t before = corners[corner];
+    fits = before < corners.size() &&
+           triangles[before / 3][before % 3] == result.mesh.triangles[corner / 3][corner % 3];
+  }
+  if (!fits)
+    throw std::invalid_argument(
+        "The flipped edges belong to another result: ask for the sources of a result as it was fitted.");
+}
+
 // A corner has the source that it had before edges were flipped, because flips change neither its vertex nor
 // its chart.
 CornerSources sourceBeforeFlips(const TriangleMesh& original, const Charts& charts, const MeshAt& result,
                                 Job& job) {
+  checkFlips(result);
   MeshAt before = result;
   before.mesh.triangles = result.flips.triangles;
   before.flips = {};
