@@ -37,6 +37,34 @@ TEST(ShellSensitivity, isWhatMovingAVertexDoesToTheEigenvalue) {
   }
 }
 
+// A triangle flatter than kFlattestTriangle has the stiffness of one that is just as flat.
+TEST(ShellSensitivity, isTheDerivativeOfTheEnergyOfNeedlesToo) {
+  constexpr double kThickness = 0.03, kPoisson = 0.3, kLambda = 2;
+  Job job;
+  for (const double height : {0.5, 1e-3, 5e-5, 1e-6}) {
+    const TriangleMesh mesh = {{{0.1, 0, 0.2}, {0.9, 0.3, 0}, {0.4, 0.12 + height, 0.12}}, {{0, 1, 2}}};
+    const Topology topology = buildTopology(mesh);
+    const Eigen::VectorXd psi = Eigen::VectorXd::LinSpaced(12, 0.3, 1).array().sin() *
+                                Eigen::VectorXd::LinSpaced(12, 1, 9).array().cos();
+    const auto energy = [&](const TriangleMesh& at) {
+      const SparsePencil pencil = shellPencil({at, topology, kThickness, kPoisson});
+      return psi.dot(pencil.k * psi) - kLambda * psi.dot(pencil.m.cwiseProduct(psi));
+    };
+    const ModePair itself{0, 0, kLambda};
+    const Eigen::VectorXd derivative =
+        shellSensitivity({mesh, topology, kThickness, kPoisson}, psi, {&itself, 1}, job);
+    const double size = derivative.cwiseAbs().maxCoeff(), step = 1e-4 * height;
+    for (uint32_t v = 0; v < 3; ++v)
+      for (int axis = 0; axis < 3; ++axis) {
+        TriangleMesh there = mesh, back = mesh;
+        there.positions[v][axis] += step;
+        back.positions[v][axis] -= step;
+        const double difference = (energy(there) - energy(back)) / (2 * step);
+        EXPECT_NEAR(derivative[3 * v + axis], difference, 1e-4 * size) << height;
+      }
+  }
+}
+
 TEST(ShellSensitivity, isZeroForRigidMotionsOfTheMesh) {
   const TriangleMesh mesh = shapes::jittered(shapes::sphere(1), 0.05, 4);
   const Topology topology = buildTopology(mesh);

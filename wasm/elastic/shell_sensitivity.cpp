@@ -7,6 +7,7 @@
 #include "base/dual.h"
 #include "base/parallel.h"
 #include "base/real_pair.h"
+#include "elastic/shell_element.h"
 
 namespace limber {
 
@@ -28,7 +29,7 @@ constexpr uint32_t kTrianglesPerChunk = 1024;
 struct Element {
   Eigen::Matrix3d axes;  // columns: x from corner 0 to corner 1, y, normal
   double a, b, c;
-  Number area;
+  Number area, weight;                         // of mass and of stiffness, see ShellElement
   std::array<Number, 3> gradientX, gradientY;  // per corner: of its barycentric coordinate
   std::array<DualTensor, 3> cornerCurvature;   // per corner: from its normal displacement
   std::array<DualTensor, 3> edgeCurvature;     // per edge: from its rotation
@@ -40,6 +41,22 @@ Eigen::Matrix3d axesOf(const TriangleMesh& mesh, uint32_t t) {
   Eigen::Matrix3d axes;
   axes << x.x, y.x, n.x, x.y, y.y, n.y, x.z, y.z, n.z;
   return axes;
+}
+
+Number longestSquared(const std::array<Number, 3>& edgeX, const std::array<Number, 3>& edgeY) {
+  Number longest = Number(0);
+  for (size_t e = 0; e < 3; ++e) {
+    const Number squared = edgeX[e] * edgeX[e] + edgeY[e] * edgeY[e];
+    if (squared.value > longest.value) longest = squared;
+  }
+  return longest;
+}
+
+// ShellElement::weight. Of a tie nothing: its stiffness hardly depends on its shape.
+Number stiffnessWeight(const Number& area, const Number& squaredLongest) {
+  const Number flatness = area * 2.0 / squaredLongest;
+  if (!(flatness.value > kDegenerateTriangle)) return Number(0);
+  return flatness.value < kFlattestTriangle ? area * flatness * (1 / kFlattestTriangle) : area;
 }
 
 Element elementOf(const TriangleMesh& mesh, uint32_t t) {
@@ -55,6 +72,7 @@ Element elementOf(const TriangleMesh& mesh, uint32_t t) {
   const std::array<Number, 3> edgeX = {b - a, -b, a}, edgeY = {c, -c, Number(0)};
   const Number twiceArea = a * c;
   element.area = twiceArea * 0.5;
+  element.weight = stiffnessWeight(element.area, longestSquared(edgeX, edgeY));
   std::array<DualTensor, 3> tangentNormal;  // t_e m_e^T
   for (size_t e = 0; e < 3; ++e) {
     const Number ex = edgeX[e], ey = edgeY[e], squared = ex * ex + ey * ey;
@@ -199,11 +217,12 @@ std::array<double, 9> byCorners(const Element& element, const std::array<double,
 std::array<double, 9> contribution(const Element& element, const StrainDerivatives& i,
                                    const StrainDerivatives& j, double inertia) {
   const Derivatives energy = energyDerivatives(i, j);
-  const double density = 0.5 * energy[0][0] - inertia;
   std::array<double, kParameters> derivative;
   for (size_t k = 0; k < kParameters; ++k) {
-    derivative[k] = element.area.value * energy[(k + 1) / 2][(k + 1) % 2];
-    if (k < kShapeParameters) derivative[k] += element.area.derivative[k] * density;
+    derivative[k] = element.weight.value * energy[(k + 1) / 2][(k + 1) % 2];
+    if (k < kShapeParameters)
+      derivative[k] +=
+          0.5 * element.weight.derivative[k] * energy[0][0] - element.area.derivative[k] * inertia;
   }
   return byCorners(element, derivative);
 }
