@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "compare/fidelity.h"
@@ -224,6 +225,22 @@ TEST(MirroredFit, locksTheImagesOfLockedVertices) {
   EXPECT_EQ(mesh.positions[image], reduced.mesh.positions[image]);
   EXPECT_NE(fitted.result.mesh.positions[7], reduced.mesh.positions[7]);
   EXPECT_EQ(mirrored::facesOf(mesh, 1), mirrored::facesOf(mesh, -1));
+}
+
+TEST(MirroredFit, leavesLockedVerticesWhereTheyWereWhereTheResultIsNearlySymmetric) {
+  const Doubled whole = mirrored::sheet();
+  MeshAt reduced = reduce(whole, 80);
+  std::vector<uint8_t> locked(whole.mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < reduced.mesh.vertexCount(); ++v) {
+    reduced.mesh.positions[v].y += static_cast<float>(1e-6 * std::sin(1.0 + v));
+    locked[reduced.inputOfVertex[v]] = v % 5 == 0;
+  }
+  ModalFitOptions options = fitOptions(whole);
+  options.locked = locked;
+  const TriangleMesh mesh = fitModes(whole.mesh, reduced, options, theJob).result.mesh;
+  for (uint32_t v = 0; v < mesh.vertexCount(); v += 5)
+    EXPECT_EQ(mesh.positions[v], reduced.mesh.positions[v]);
+  EXPECT_NE(mesh.positions, reduced.mesh.positions);
 }
 
 // Every edge of one side is a seam, so no flip can be repeated there.
