@@ -9,8 +9,7 @@
 namespace limber {
 namespace {
 
-constexpr double kZeroRatio = 1e-4;  // eigenvalues below this times |sigma| count as zero
-constexpr double kSafeGap = 0.01;    // relative, between eigenvalues: far more than their errors
+constexpr double kSafeGap = 0.01;  // relative, between eigenvalues: far more than their errors
 
 // The index of a pair, from the last wanted one on, that a relative gap follows in which a shift is safe for
 // counting eigenvalues: the first gap that is wide enough, or else the widest.

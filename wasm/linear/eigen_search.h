@@ -13,6 +13,9 @@ struct EigenSearch : ModeBasis {
   Eigen::VectorXd inverseResidual = {};
 };
 
+// Eigenvalues below this times |sigma| count as zero.
+inline constexpr double kZeroRatio = 1e-4;
+
 // How many pairs have an eigenvalue of 0, found with the shift sigma.
 Eigen::Index nullity(const EigenSearch& search, double sigma);
 

@@ -9,6 +9,7 @@
 #include "elastic/followed_modes.h"
 #include "elastic/pins.h"
 #include "elastic/solve_modes.h"
+#include "linear/eigen_search.h"
 #include "linear/shifted_pencil.h"
 
 namespace limber {
@@ -18,6 +19,8 @@ constexpr double kFloatRounding = std::numeric_limits<float>::epsilon() / 2;
 constexpr double kLeastBendShare = 1e-6;  // of the eigenvalue with all constraints, in the rough estimate
 constexpr int kRoughSteps = 3;            // of inverse iteration, at most, for that estimate
 constexpr double kCloseToShift = 0.25;    // an estimate above this times the shift is good enough
+constexpr double kManyRoundings = 100;    // errors of a search for modes over those of one sum of forces
+constexpr double kDoubleRounding = std::numeric_limits<double>::epsilon() / 2;
 
 // All polynomials of degree 2 as displacements along each axis: 3 v + c, by 30.
 Eigen::MatrixXd quadraticMotions(const TriangleMesh& mesh, Eigen::Index unknownCount) {
@@ -51,6 +54,15 @@ double ritzValue(const SparsePencil& pencil, const Eigen::MatrixXd& span, int ze
                                      basis.transpose() * stiffness * basis, Eigen::EigenvaluesOnly)
                                      .eigenvalues();
   return values.size() > zeros ? values[zeros] : values[values.size() - 1];
+}
+
+// An eigenvalue above those that rounding gives to motions without any resistance: where forces cancel, their
+// sum keeps the rounding of each.
+double eigenvalueOfRounding(const SparsePencil& pencil) {
+  double stiffness = 0;
+  for (Eigen::Index u = 0; u < pencil.m.size(); ++u)
+    if (pencil.m[u] > 0) stiffness += pencil.k.coeff(u, u);
+  return kManyRoundings * kDoubleRounding * stiffness / pencil.m.sum();
 }
 
 }  // namespace
@@ -126,17 +138,17 @@ double SolverVibration::roughFirstEigenvalue(Job& job) const {
 }
 
 // Each step of inverse iteration leaves of a motion what is not far stiffer than the shift, so that a shift
-// far too large comes down step by step.
+// far too large comes down step by step. Where more than rigid motions meet no resistance, as sheets that
+// swing about the edge that they share, it comes down to them: no further than a search can tell from zero.
 double SolverVibration::refinedFirstEigenvalue(double rough, Eigen::MatrixXd motions, Job& job) const {
   const SparsePencil pencil = pencilOf(std::vector<double>(setting_.stiffness.count(), 1.0));
+  const double least = eigenvalueOfRounding(pencil) / kZeroRatio;
   ShiftedPencil shifted(pencil, structure_, job);
   for (int step = 0; step < kRoughSteps; ++step) {
     shifted.shiftTo(-rough);
     motions = shifted.inverseStep(motions);
     const double before = rough;
-    const double value = ritzValue(pencil, motions, rigidMotionCount());
-    if (value <= 0) break;
-    rough = value;
+    rough = std::max(ritzValue(pencil, motions, rigidMotionCount()), least);
     if (rough > kCloseToShift * before) break;
   }
   return rough;
