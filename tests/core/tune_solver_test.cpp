@@ -11,6 +11,7 @@
 
 #include "base/parallel.h"
 #include "elastic/solvers/solver_constraints.h"
+#include "fit/tune/modes/clamped_modes.h"
 #include "fit/tune/modes/mode_matching.h"
 #include "mesh/topology.h"
 #include "reduced.h"
@@ -241,6 +242,45 @@ TEST(TuneSolver, FitsNothingToSheetsThatSwingAboutAnEdge) {
       EXPECT_EQ(tuned.stretchFactor, 1);
     }
   }
+}
+
+// The bending stiffness is that of rounding: no search converges to modes of it.
+TEST(TuneSolver, FitsNothingWhereNoSearchForModesConverges) {
+  Job job;
+  const TriangleMesh sheet = shapes::grid(24, 16, 1.3, 1), coarse = shapes::grid(12, 8, 1.3, 1);
+  for (const int model : {0, 1, 2}) {
+    SCOPED_TRACE(kModels[model].first);
+    TuneOptions options = optionsFor(kModels[model].second, sheet, TuneKind::Global);
+    options.original.bend *= 1e-12;
+    options.result.bend *= 1e-12;
+    const Tuned tuned = tuneSolver(sheet, coarse, options, job);
+    EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
+    EXPECT_EQ(tuned.bendFactor, 1);
+  }
+}
+
+TEST(PartModesPair, isDefiniteAgainWhereModesThatHadLostTheirResistanceRegainIt) {
+  Job job;
+  const SolverModel model = kModels[1].second;
+  const TriangleMesh sheet = shapes::grid(24, 16, 1.3, 1), coarse = shapes::grid(16, 12, 1.3, 1);
+  const SolverConstants constants = constantsOf(model, sheet);
+  const SolverStiffness stiffness(coarse, buildTopology(coarse), model, constants);
+  const auto pairs = pairParts({sheet, coarse, model, constants, constants, stiffness}, job);
+  const std::vector<double> original = solverMasses(sheet, model.mass, constants),
+                            result = solverMasses(coarse, model.mass, constants);
+  PartModesPair modes(pairs[0], {0, {}, {}}, {original, result}, 10);
+  modes.solveResult(0, job);
+  modes.solveOriginal(job);
+  ASSERT_TRUE(modes.isDefinite());
+  const double first = modes.firstEigenvalue();
+
+  std::vector<double> factors(stiffness.count(), 1.0);
+  std::fill(factors.begin() + stiffness.stretchCount(), factors.end(), 1e-14);
+  modes.follow(factors, job);
+  EXPECT_FALSE(modes.isDefinite());
+  modes.follow(std::vector<double>(stiffness.count(), 1.0), job);
+  EXPECT_TRUE(modes.isDefinite());
+  EXPECT_NEAR(modes.firstEigenvalue(), first, 1e-3 * first);
 }
 
 TEST(TuneSolver, SolvesEveryPartOnItsOwn) {

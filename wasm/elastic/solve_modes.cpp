@@ -1,6 +1,5 @@
 #include "elastic/solve_modes.h"
 
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -17,9 +16,9 @@ EigenSolution solveModes(const SparsePencil& pencil, EigenOptions options, Job& 
   EigenSolution solution = solveEigenproblem(pencil, options, job);
   const size_t found = solution.inverseResidual.size(), trusted = solution.trustedCount();
   if (trusted < found)
-    throw std::runtime_error(
-        "The modes did not converge: only " + std::to_string(trusted) + " of " + std::to_string(found) +
-        " can be trusted; remove needle triangles, weld the mesh or make the shell thicker.");
+    throw NoConvergence("The modes did not converge: only " + std::to_string(trusted) + " of " +
+                        std::to_string(found) +
+                        " can be trusted; remove needle triangles, weld the mesh or make the shell thicker.");
   return solution;
 }
 

@@ -8,8 +8,8 @@
 namespace limber {
 
 // solveEigenproblem and refineEigenpairs for vibrations, with their failures put into words for the user.
-// Both throw Cancelled, and std::runtime_error with a sentence if memory is short; solveModes also if a mode
-// cannot be trusted.
+// Both throw Cancelled, and std::runtime_error with a sentence if memory is short; solveModes throws
+// NoConvergence if a mode cannot be trusted.
 EigenSolution solveModes(const SparsePencil& pencil, EigenOptions options, Job& job);
 EigenSolution refineModes(const SparsePencil& pencil, const Eigen::MatrixXd& start, RefineOptions options,
                           Job& job);

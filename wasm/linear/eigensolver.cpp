@@ -91,7 +91,7 @@ EigenSearch lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, i
   } catch (const Cancelled&) {
     throw;
   } catch (const std::runtime_error&) {  // Spectra's words are about its own insides
-    throw std::runtime_error(
+    throw NoConvergence(
         "The modes could not be computed: look for coordinates, thicknesses or material constants of wildly "
         "different size.");
   }

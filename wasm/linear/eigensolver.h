@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "base/job.h"
@@ -45,7 +46,14 @@ struct EigenOptions {
   std::function<void(uint64_t bytes)> admit = nullptr;
 };
 
-// Throws Cancelled, std::runtime_error as Factorisation::factorise, and whatever `admit` throws.
+// A search for eigenpairs that did not converge, in a sentence for the user.
+class NoConvergence : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Throws Cancelled, NoConvergence, std::runtime_error as Factorisation::factorise, and whatever `admit`
+// throws.
 EigenSolution solveEigenproblem(const SparsePencil& pencil, const EigenOptions& options, Job& job);
 
 }  // namespace limber

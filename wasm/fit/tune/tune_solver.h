@@ -12,14 +12,16 @@ namespace limber {
 // so the derivatives of all eigenvalues are exact and cost nothing.
 //
 // On a mesh with a border the factors on stretching stay 1: what hangs is governed by its lengths. Where the
-// solver's energy leaves motions without resistance (a flat sheet of springs bends freely), there are no
+// solver's energy leaves motions without resistance (a flat sheet of springs bends freely, and hinges let
+// three sheets swing about an edge that they share), or where no search finds the modes, there are no
 // frequencies to fit: factors stay 1 and errors are NaN. Factors keep to [0.1, 10].
 //
 // With `runsTrial` original and result then move through a short scene, see fit/tune/motion_trial.h, and
 // tuned factors are handed over only where the motion is no worse for them by more than its noise.
 //
 // Both meshes are welded. Throws Cancelled; std::invalid_argument with a sentence where they do not belong
-// together, see fit/tune/tune_checks.h, or a constant is out of range; std::runtime_error as solveModes.
+// together, see fit/tune/tune_checks.h, or a constant is out of range; std::runtime_error where memory is
+// short.
 Tuned tuneSolver(const TriangleMesh& original, const TriangleMesh& result, const TuneOptions& options,
                  Job& job);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "linear/eigensolver.h"
 #include "transfer/shape_transfer.h"
 
 namespace limber {
@@ -25,6 +26,17 @@ std::vector<double> ones(const SolverPart& part) {
   return std::vector<double>(part.stiffness->count(), 1.0);
 }
 
+// Does what `find` does. False where that does not converge.
+template <typename Find>
+bool converges(const Find& find) {
+  try {
+    find();
+    return true;
+  } catch (const NoConvergence&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 PartModesPair::PartModesPair(const PartPair& pair, const PartPins& pins, const TuneMasses& masses, int count)
@@ -40,10 +52,11 @@ void PartModesPair::solveResult(double scale, Job& job) {
   isDefinite_ = result_.countNoise(factors, job) == 0;
   if (!isDefinite_) return;
   const double rough = scale > 0 ? scale : result_.roughFirstEigenvalue(job);
-  const EigenSolution solution = result_.solve(factors, count_ + kMargin, rough, job);
-  isDefinite_ =
-      static_cast<int>(solution.nullity) == result_.rigidMotionCount() && solution.basis.modeCount() > 0;
-  modes_ = solution.basis;
+  EigenSolution solution;
+  isDefinite_ = converges([&] { solution = result_.solve(factors, count_ + kMargin, rough, job); }) &&
+                static_cast<int>(solution.nullity) == result_.rigidMotionCount() &&
+                solution.basis.modeCount() > 0;
+  modes_ = std::move(solution.basis);
 }
 
 EigenSolution PartModesPair::originalModes(Job& job) const {
@@ -59,9 +72,11 @@ EigenSolution PartModesPair::originalModes(Job& job) const {
 }
 
 void PartModesPair::solveOriginal(Job& job) {
-  const EigenSolution solution = originalModes(job);
+  EigenSolution solution;
+  isDefinite_ = converges([&] { solution = originalModes(job); }) &&
+                static_cast<int>(solution.nullity) == original_.rigidMotionCount();
+  if (!isDefinite_) return;
   const ModeBasis& basis = solution.basis;
-  isDefinite_ = isDefinite_ && static_cast<int>(solution.nullity) == original_.rigidMotionCount();
   const Eigen::Index count =
       std::min({basis.modeCount(), static_cast<Eigen::Index>(count_), modes_.modeCount()});
   wanted_ = basis.lambda.head(count);
@@ -75,7 +90,12 @@ void PartModesPair::solveOriginal(Job& job) {
 }
 
 void PartModesPair::follow(std::span<const double> factors, Job& job) {
-  modes_ = result_.follow(pair_->result.constraintValues(factors), modes_, count_, job);
+  const std::vector<double> ofPart = pair_->result.constraintValues(factors);
+  ModeBasis found;
+  const bool isFound = converges([&] { found = result_.follow(ofPart, modes_, count_, job); });
+  isDefinite_ = isFound && found.modeCount() >= wanted_.size();  // none has lost its resistance
+  if (!isDefinite_) return;
+  modes_ = std::move(found);
   match();
 }
 
@@ -84,10 +104,6 @@ void PartModesPair::setResultMasses(std::span<const double> masses) {
 }
 
 void PartModesPair::match() {
-  if (modes_.modeCount() < wanted_.size()) {  // some have sunk to those without resistance
-    isDefinite_ = false;
-    return;
-  }
   const Eigen::Index rows = expected_.rows();
   partner_ = matchModes(modes_.phi.topRows(rows).transpose() * expected_, wantedClusters_);
   clusters_ = modeClusters(modes_.lambda);

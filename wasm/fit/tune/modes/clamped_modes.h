@@ -22,13 +22,15 @@ class PartModesPair {
   PartModesPair(const PartPair& pair, const PartPins& pins, const TuneMasses& masses, int count);
 
   // Finds the modes of the result with factors of 1, then those of the original, whose first eigenvalue is
-  // near. Throws Cancelled, and std::runtime_error as solveModes.
+  // near. Throws Cancelled, and std::runtime_error where memory is short.
   void solveResult(double scale, Job& job);
   void solveOriginal(Job& job);
-  // Whether rigid motions alone meet no resistance on the result, and on the original.
+  // Whether rigid motions alone meet no resistance on the result, and on the original, and their modes were
+  // found: of the result for the factors of the last call.
   bool isDefinite() const { return isDefinite_; }
 
-  // Modes of the result for other factors of its constraints, to about 1e-4 in eigenvalues.
+  // Modes of the result for other factors of its constraints, to about 1e-4 in eigenvalues. Where that leaves
+  // it without enough of them, they stay as they were, so that they can be followed to better factors.
   void follow(std::span<const double> factors, Job& job);
   // The same part with other masses of the result, vertices of the body; its modes have to be followed.
   void setResultMasses(std::span<const double> masses);

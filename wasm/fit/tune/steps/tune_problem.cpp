@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace limber {
 namespace {
@@ -10,6 +11,7 @@ namespace {
 // The first eigenvalue of a beam clamped at one end over that of a free one is (1.875 / 4.730)^4 = 0.025;
 // this only starts the search for clamped modes.
 constexpr double kClampedOverFree = 0.03;
+constexpr double kNoError = std::numeric_limits<double>::quiet_NaN();
 
 int wantedModes(ClampKind kind) {
   switch (kind) {
@@ -66,6 +68,12 @@ void fillRows(const ClampedModes& clamping, const std::vector<double>& factors, 
   }
 }
 
+// The error of the first ten modes at other factors; NaN where these leave motions without resistance.
+double followedError(ClampedModes modes, const std::vector<double>& factors, Job& job) {
+  modes.follow(factors, job);
+  return modes.isDefinite() ? modes.meanError(0, 10) : kNoError;
+}
+
 }  // namespace
 
 TuneProblem::TuneProblem(const TuneSetup& setup, Job& job) : factors_(setup.constraintCount, 1.0) {
@@ -117,20 +125,15 @@ double TuneProblem::fittedError() const {
   return 100 * ((0.5 * residual.array()).exp() - 1).abs().mean();
 }
 
-double TuneProblem::otherPinsError(Job& job) {
-  for (ClampedModes& clamping : clampings_) {
-    if (clamping.kind() != ClampKind::OtherEnd) continue;
-    clamping.follow(factors_, job);
-    return clamping.meanError(0, 10);
-  }
-  return std::numeric_limits<double>::quiet_NaN();
+double TuneProblem::otherPinsError(Job& job) const {
+  const auto other = std::ranges::find(clampings_, ClampKind::OtherEnd, &ClampedModes::kind);
+  return other == clampings_.end() ? kNoError : followedError(*other, factors_, job);
 }
 
 double TuneProblem::freeErrorWith(std::span<const double> masses, Job& job) const {
   ClampedModes free = clampings_[0];
   free.setResultMasses(masses);
-  free.follow(std::vector<double>(factors_.size(), 1.0), job);
-  return free.meanError(0, 10);
+  return followedError(std::move(free), std::vector<double>(factors_.size(), 1.0), job);
 }
 
 }  // namespace limber

@@ -22,11 +22,12 @@ struct TuneSetup {
 // free modes 21 to 30 and 10 of the body clamped at its other end are not.
 class TuneProblem {
  public:
-  // Solves both bodies with factors of 1. Refers to the pairs. Throws Cancelled, and
-  // std::runtime_error as solveModes.
+  // Solves both bodies with factors of 1. Refers to the pairs. Throws Cancelled, and std::runtime_error where
+  // memory is short.
   TuneProblem(const TuneSetup& setup, Job& job);
 
-  // Whether all motions but rigid ones meet resistance. Nothing else is to be asked of a problem that is not.
+  // Whether all motions but rigid ones meet resistance, and their modes were found. Of a problem that is not
+  // definite nothing else is to be asked before it has moved to factors where it is.
   bool isDefinite() const;
 
   // Factors per constraint of the result's body, > 0: the fitted modes follow. Throws Cancelled.
@@ -42,10 +43,10 @@ class TuneProblem {
   // Mean relative error of the fitted frequencies in %.
   double fittedError() const;
 
-  // Mean errors in %, see TunedFrequencies. `otherPinsError` lets those modes follow first.
+  // Mean errors in %, see TunedFrequencies. `otherPinsError` follows a copy of those modes first.
   double freeError() const { return clampings_[0].meanError(0, 10); }
   double unseenError() const { return clampings_[0].meanError(20, 30); }
-  double otherPinsError(Job& job);
+  double otherPinsError(Job& job) const;
   // freeError() for other masses of the result and factors of 1. The problem is as before afterwards.
   double freeErrorWith(std::span<const double> masses, Job& job) const;
 
