@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "base/parallel.h"
@@ -95,6 +97,48 @@ TEST(ClosestPoint, agreesWithADenseSearchOnAnyTriangle) {
 
 // Corners whose coordinates differ by many powers of ten make triangles without a height, whose normal is
 // nothing but rounding.
+// Needles from a hub to a wavy rim.
+TriangleMesh fan(uint32_t needles) {
+  TriangleMesh mesh = {{{0, 0, 0.02}}, {}};
+  for (uint32_t i = 0; i < needles; ++i) {
+    const double angle = 2 * std::numbers::pi * i / needles;
+    mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.05 * std::cos(5 * angle)});
+    mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % needles});
+  }
+  return mesh;
+}
+
+TEST(ClosestPoint, isFoundAmongNeedlesAsAmongOtherTriangles) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1.1, 1.1);
+  const TriangleMesh mesh = fan(1000);
+  const ClosestPointTree tree(mesh);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p = {any(random), any(random), 0.1 * any(random)};
+    double least = HUGE_VAL;
+    for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+      least = std::min(least, closestOnTriangle(mesh, t, p).distance);
+    EXPECT_NEAR(tree.closest(p).distance, least, 1e-15);
+  }
+}
+
+// The box of a needle across the axes is mostly empty, so that a quarter of all boxes would meet at a point.
+TEST(ClosestPoint, meetsFewNeedlesOfAFan) {
+  const TriangleMesh mesh = fan(4096);
+  const BoundingTree tree = treeOver(mesh);
+  size_t visits = 0;
+  constexpr size_t kPoints = 100;
+  for (size_t i = 0; i < kPoints; ++i) {
+    const double angle = 0.3 + 2 * std::numbers::pi * i / kPoints, radius = 0.3 + 0.006 * i;
+    const Vec3 p = {radius * std::cos(angle), radius * std::sin(angle), 0};
+    tree.forEachWithin(p, 0, [&](uint32_t) {
+      ++visits;
+      return 0.0;
+    });
+  }
+  EXPECT_LT(visits, 64 * kPoints);
+}
+
 TEST(ClosestPoint, ofANeedleLiesBetweenItsCorners) {
   std::mt19937 random(3);
   const auto share = [&] { return 2.0 * random() / 4294967295.0 - 1; };

@@ -40,6 +40,12 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes, const std::vector<V
   });
 }
 
+BoundingTree::BoundingTree(const std::vector<Bounds>& boxes, const std::vector<Vec3>& centres,
+                           const std::vector<uint32_t>& itemOfPiece)
+    : BoundingTree(boxes, centres) {
+  for (uint32_t& piece : order_) piece = itemOfPiece[piece];
+}
+
 namespace {
 
 // Splits at the median centre along the longest side of the centres' box; `middle` is the first item of the

@@ -18,6 +18,10 @@ class BoundingTree {
   BoundingTree() = default;
   // `boxes[i]` bounds item i and `centres[i]` is its centre.
   BoundingTree(const std::vector<Bounds>& boxes, const std::vector<Vec3>& centres);
+  // Where items are cut into pieces: box and centre i are those of a piece of item `itemOfPiece[i]`. Searches
+  // visit an item once for each piece that is near.
+  BoundingTree(const std::vector<Bounds>& boxes, const std::vector<Vec3>& centres,
+               const std::vector<uint32_t>& itemOfPiece);
 
   // The box around all items.
   const Bounds& box() const { return box_; }

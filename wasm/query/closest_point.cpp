@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "mesh/corner.h"
 
 namespace limber {
 
@@ -13,6 +14,9 @@ namespace {
 constexpr double kSameWay = 0.25;        // cosine between normals
 constexpr double kBetweenSheets = 0.01;  // of the diagonal
 constexpr size_t kTrianglesPerRange = 4096;
+constexpr double kFittingBox = 8;             // half the surface of a box over the area of the triangle in it
+constexpr double kMostPieces = 16;            // of a needle, in boxes that fit
+constexpr uint64_t kCutsInAnyMesh = 1 << 18;  // larger meshes have a cut for each triangle
 // A triangle that is lower than this, as a share of its length, has a normal of rounding only, and its edges
 // are as near as its inside.
 constexpr double kLeastHeight = 1e-8;
@@ -72,18 +76,84 @@ void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycen
   std::copy(found, found + 3, barycentric);
 }
 
+// A triangle that is cut across its longest edge, from a to b. `offset` leads to the third corner from the
+// foot of its height, so that the triangle lies within the edge swept along it.
+struct Needle {
+  Vec3 a, b, corner, offset;
+  double foot = 0;  // of the height, as a fraction of the edge
+
+  Needle(const TriangleMesh& mesh, uint32_t t) {
+    int longest = 0;
+    double squares = -1;
+    for (int c = 0; c < 3; ++c) {
+      const double squared = squaredLength(mesh.corner(t, nextIndex(c)) - mesh.corner(t, previousIndex(c)));
+      if (squared <= squares) continue;
+      squares = squared;
+      longest = c;
+    }
+    a = mesh.corner(t, nextIndex(longest));
+    b = mesh.corner(t, previousIndex(longest));
+    corner = mesh.corner(t, longest);
+    foot = closestOnSegment(corner, a, b);
+    offset = corner - at(foot);
+  }
+  Vec3 at(double fraction) const { return a * (1 - fraction) + b * fraction; }
+
+  Bounds boxOfPiece(uint32_t piece, uint32_t count) const {
+    const double from = static_cast<double>(piece) / count, to = static_cast<double>(piece + 1) / count;
+    Bounds box{at(from), at(from)};
+    for (const Vec3& p : {at(to), at(from) + offset, at(to) + offset}) box.include(p);
+    if (from <= foot && foot <= to) box.include(corner);
+    return box;
+  }
+};
+
+// How many pieces leave boxes not much larger than the triangle: one for all but a needle across the axes,
+// whose box is mostly empty.
+uint32_t piecesOf(const TriangleMesh& mesh, uint32_t t) {
+  const Vec3 size = bounds(mesh, t).high - bounds(mesh, t).low;
+  const double box = size.x * size.y + size.y * size.z + size.z * size.x;
+  const double pieces = box / (kFittingBox * triangleArea(mesh, t));
+  return pieces > 1 ? static_cast<uint32_t>(std::min(pieces, kMostPieces)) : 1;
+}
+
+// Per triangle its first piece, and at last how many there are. Where there would be too many, each needle is
+// cut into fewer.
+std::vector<uint32_t> firstPieces(const TriangleMesh& mesh) {
+  std::vector<uint32_t> first(mesh.triangleCount() + size_t{1}, 0);
+  uint64_t cuts = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    first[t + 1] = piecesOf(mesh, t);
+    cuts += first[t + 1] - 1;
+  }
+  const uint64_t most = std::max<uint64_t>(mesh.triangleCount(), kCutsInAnyMesh);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const uint64_t own = first[t + 1] - 1;
+    first[t + 1] = first[t] + 1 + static_cast<uint32_t>(cuts > most ? own * most / cuts : own);
+  }
+  return first;
+}
+
 }  // namespace
 
 BoundingTree treeOver(const TriangleMesh& mesh) {
-  std::vector<Bounds> boxes(mesh.triangleCount());
-  std::vector<Vec3> centres(mesh.triangleCount());
+  const std::vector<uint32_t> first = firstPieces(mesh);
+  std::vector<Bounds> boxes(first.back());
+  std::vector<Vec3> centres(first.back());
+  std::vector<uint32_t> triangleOfPiece(first.back());
   parallelFor(mesh.triangleCount(), kTrianglesPerRange, [&](size_t begin, size_t end) {
     for (auto t = static_cast<uint32_t>(begin); t < end; ++t) {
-      boxes[t] = bounds(mesh, t);
-      centres[t] = triangleCentre(mesh, t);
+      const Needle needle(mesh, t);
+      const uint32_t count = first[t + 1] - first[t];
+      for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t piece = first[t] + i;
+        boxes[piece] = count > 1 ? needle.boxOfPiece(i, count) : bounds(mesh, t);
+        centres[piece] = count > 1 ? 0.5 * (boxes[piece].low + boxes[piece].high) : triangleCentre(mesh, t);
+        triangleOfPiece[piece] = t;
+      }
     }
   });
-  return {boxes, centres};
+  return {boxes, centres, triangleOfPiece};
 }
 
 ClosestPoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point) {
