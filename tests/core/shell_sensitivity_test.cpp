@@ -42,7 +42,7 @@ TEST(ShellSensitivity, isTheDerivativeOfTheEnergyOfNeedlesToo) {
   constexpr double kThickness = 0.03, kPoisson = 0.3, kLambda = 2;
   Job job;
   for (const double height : {0.5, 1e-3, 5e-5, 1e-6}) {
-    const TriangleMesh mesh = {{{0.1, 0, 0.2}, {0.9, 0.3, 0}, {0.4, 0.12 + height, 0.12}}, {{0, 1, 2}}};
+    const TriangleMesh mesh = {{{0.1, 0, 0.2}, {0.9, 0.3, 0}, {0.4, 0.1125 + height, 0.125}}, {{0, 1, 2}}};
     const Topology topology = buildTopology(mesh);
     const Eigen::VectorXd psi = Eigen::VectorXd::LinSpaced(12, 0.3, 1).array().sin() *
                                 Eigen::VectorXd::LinSpaced(12, 1, 9).array().cos();
