@@ -28,16 +28,25 @@ struct Contact : SurfacePoint {
   double distance = 0;  // along the sample's normal, from the mesh to the sample
 };
 
+// What closest points are looked for.
+struct ContactSearch {
+  const TriangleMesh& mesh;
+  const FitSamples& samples;
+  std::vector<uint32_t>& closestTriangles;  // per sample of the surface: found before, and found now
+  const Job& job;
+};
+
 // Calls `search(point, triangle found before, kNone for the first of a range)` for every sample, and turns
 // what it finds into contacts. One searcher, which `makeSearch()` makes, serves a range of samples.
 template <class MakeSearch>
-std::vector<Contact> searchContacts(const TriangleMesh& mesh, const FitSamples& samples,
-                                    std::vector<uint32_t>& closestTriangles, const Job& job,
-                                    const MakeSearch& makeSearch) {
+std::vector<Contact> searchContacts(const ContactSearch& wanted, const MakeSearch& makeSearch) {
+  const TriangleMesh& mesh = wanted.mesh;
+  const FitSamples& samples = wanted.samples;
+  std::vector<uint32_t>& closestTriangles = wanted.closestTriangles;
   std::vector<Contact> contacts(samples.surface.size());
   const size_t grain = std::max(kSamplesPerRange, contacts.size() / kSearches + 1);
   parallelFor(contacts.size(), grain, [&](size_t begin, size_t end) {
-    job.check();
+    wanted.job.check();
     auto search = makeSearch();
     uint32_t before = kNone;
     for (size_t i = begin; i < end; ++i) {
@@ -52,21 +61,17 @@ std::vector<Contact> searchContacts(const TriangleMesh& mesh, const FitSamples& 
 }
 
 // Finds the closest points on the whole mesh, and their triangles.
-std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& samples,
-                                  std::vector<uint32_t>& closestTriangles, const Job& job) {
-  const ClosestPointTree tree(mesh);
-  closestTriangles.assign(samples.surface.size(), kNone);
-  return searchContacts(mesh, samples, closestTriangles, job, [&] {
-    return [&](const Vec3& point, uint32_t near) { return tree.closest(point, near); };
-  });
+std::vector<Contact> findContacts(const ContactSearch& wanted) {
+  const ClosestPointTree tree(wanted.mesh);
+  wanted.closestTriangles.assign(wanted.samples.surface.size(), kNone);
+  return searchContacts(
+      wanted, [&] { return [&](const Vec3& point, uint32_t near) { return tree.closest(point, near); }; });
 }
 
 // Follows the closest points from the triangles where they were before the mesh was moved, along its surface.
-std::vector<Contact> followContacts(const TriangleMesh& mesh, const Topology& topology,
-                                    const FitSamples& samples, std::vector<uint32_t>& closestTriangles,
-                                    const Job& job) {
-  return searchContacts(mesh, samples, closestTriangles, job, [&] {
-    return [walk = SurfaceWalk(mesh, topology)](const Vec3& point, uint32_t near) mutable {
+std::vector<Contact> followContacts(const ContactSearch& wanted, const Topology& topology) {
+  return searchContacts(wanted, [&] {
+    return [walk = SurfaceWalk(wanted.mesh, topology)](const Vec3& point, uint32_t near) mutable {
       return walk.closest(point, {&near, 1}, [](uint32_t, uint32_t) { return true; });
     };
   });
@@ -142,9 +147,8 @@ void measureDistance(const std::vector<Contact>& contacts, const FitSamples& sam
 }
 
 void addContacts(SurfaceFit& fit, const Topology& topology, ModelSums& sums, const Job& job) {
-  sums.contacts = fit.closestTriangles.empty()
-                      ? findContacts(sums.mesh, sums.samples, fit.closestTriangles, job)
-                      : followContacts(sums.mesh, topology, sums.samples, fit.closestTriangles, job);
+  const ContactSearch wanted{sums.mesh, sums.samples, fit.closestTriangles, job};
+  sums.contacts = fit.closestTriangles.empty() ? findContacts(wanted) : followContacts(wanted, topology);
   measureDistance(sums.contacts, sums.samples, fit);
   sums.far = constants::kFarDistance * constants::kFarDistance * fit.meanSquare;
 }
@@ -282,7 +286,7 @@ BlockMatrix assemble(const Topology& topology, ModelSums& sums, const TriangleMo
 
 SampleDistance sampleDistance(const TriangleMesh& mesh, const FitSamples& samples, const Job& job) {
   SampleDistance distance;
-  measureDistance(findContacts(mesh, samples, distance.closestTriangles, job), samples, distance);
+  measureDistance(findContacts({mesh, samples, distance.closestTriangles, job}), samples, distance);
   return distance;
 }
 

@@ -110,8 +110,8 @@ void SelfContacts::addPair(const Particles& particles, uint32_t a, uint32_t b, d
                wb = particles.inverseMass[b];
   const Vec3 apart = particles.positions[a] - particles.positions[b];
   const double distance = std::min((width_[a] + width_[b]) / 2, atRest);
-  const double reach = distance + marginOf(width_[a], travel) + marginOf(width_[b], travel);
-  if (wa + wb == 0 || !(squaredLength(apart) < reach * reach)) return;
+  const double farthest = distance + marginOf(width_[a], travel) + marginOf(width_[b], travel);
+  if (wa + wb == 0 || !(squaredLength(apart) < farthest * farthest)) return;
   if (areNear(a, b)) return;
   pairs_.push_back({a, b, toFloat4(apart), static_cast<float>(distance), static_cast<float>(wa / (wa + wb)),
                     static_cast<float>(wb / (wa + wb))});
