@@ -1,17 +1,20 @@
 /**
- * How the animations of a file bend a skinned body, as few fields over its vertices that can count in the error of a collapse.
+ * How the animations of a file bend a skinned body, and its morph targets any body, as few fields over its vertices that can count in
+ * the error of a collapse.
  *
  * The error that a collapse leaves in a pose is that at rest and that of interpolating the pose's displacements. What is affine in
- * the displacements of a pose costs nothing, so it is taken off, and the rest of all poses is summed up in its principal fields
- * (proper orthogonal decomposition: Sirovich 1987): the squares of the fields, each with its amplitude, add up to the mean over
- * the poses as well as so few fields can.
+ * the displacements of a pose costs nothing, so it is taken off. The rest of the poses of animations is summed up in its principal
+ * fields (proper orthogonal decomposition: Sirovich 1987): the squares of the fields, each with its amplitude, add up to the mean over
+ * the poses as well as so few fields can. Morph targets are many and move few vertices each, so theirs are mixtures; see `mixtures`.
  */
 
 import type { Document } from '@gltf-transform/core';
 import type { WeldResult } from '../core/core';
 import { vertexCount } from '../core/mesh';
 import type { Body } from '../document/model';
+import { posesOfTargets } from './morphing';
 import { posesInAnimations } from './skinning';
+import type { PosedPositions } from './skinning';
 
 /** values[size * v + d]: displacements of welded vertices, in units of the mesh; size is 3 for each field. */
 export interface Poses {
@@ -19,11 +22,15 @@ export interface Poses {
   size: number;
 }
 
-/** At most `most` fields; null where no animation bends the body. */
+/** At most `most` fields; null where nothing bends the body. */
 export function posesOf(document: Document, body: Body, weld: WeldResult, most: number): Poses | null {
   const rest = Float64Array.from(weld.mesh.positions);
-  const bent = posesInAnimations(document, body).map((posed) => bendingOf(rest, weldedPose(posed, weld)));
-  const fields = principalFields(bent, most);
+  const bending = (posed: PosedPositions): Float64Array => bendingOf(rest, weldedPose(posed, weld));
+  const [animated, targets] = [posesInAnimations, posesOfTargets].map((find) =>
+    find(document, body).map(bending),
+  );
+  const ofTargets = targets.length === 0 ? 0 : Math.floor(most / (animated.length === 0 ? 1 : 2));
+  const fields = [...principalFields(animated, most - ofTargets), ...mixtures(targets, ofTargets)];
   if (fields.length === 0) return null;
   const size = 3 * fields.length;
   const values = new Float32Array(size * vertexCount(weld.mesh));
@@ -124,4 +131,45 @@ function product(a: Float64Array, b: Float64Array): number {
   let total = 0;
   for (let i = 0; i < a.length; ++i) total += a[i] * b[i];
   return total;
+}
+
+/** The mean square of a weight of a morph target, where all from 0 to 1 are equally likely. */
+const MEAN_SQUARE_WEIGHT = 1 / 3;
+
+/**
+ * Fields whose squares add up, at each vertex, to that of the target which moves it most, times the mean square of its weight. They
+ * are sums of all targets with signs that alternate differently in each field, by which squares of sums are on average sums of squares
+ * (random projections: Achlioptas 2003, section 2), scaled down where targets overlap.
+ */
+function mixtures(poses: Float64Array[], count: number): Float64Array[] {
+  if (poses.length === 0) return [];
+  const weights = poses[0].map(
+    (_, i) => Math.sqrt(MEAN_SQUARE_WEIGHT / count) * shareOfMost(poses, i - (i % 3)),
+  );
+  return Array.from({ length: count }, (_, k) => {
+    const field = new Float64Array(weights.length);
+    poses.forEach((pose, t) => {
+      const sign = isOdd(k & t) ? -1 : 1;
+      pose.forEach((value, i) => (field[i] += sign * weights[i] * value));
+    });
+    return field;
+  });
+}
+
+/** The displacement of the pose that moves the vertex with coordinates i to i + 2 most, over the root of the sum of all squares. */
+function shareOfMost(poses: Float64Array[], i: number): number {
+  let [most, sum] = [0, 0];
+  for (const pose of poses) {
+    const squared = pose[i] * pose[i] + pose[i + 1] * pose[i + 1] + pose[i + 2] * pose[i + 2];
+    most = Math.max(most, squared);
+    sum += squared;
+  }
+  return sum > 0 ? Math.sqrt(most / sum) : 0;
+}
+
+/** Whether the number has an odd number of ones as binary: the signs are those of Hadamard's matrices. */
+function isOdd(number: number): boolean {
+  let ones = 0;
+  for (let rest = number; rest > 0; rest >>= 1) ones += rest & 1;
+  return ones % 2 === 1;
 }
