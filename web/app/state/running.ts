@@ -54,8 +54,7 @@ function noticeOf(error: unknown): Notice {
 
 /** Shows what is going on while `make` runs, unless it is quick. */
 export async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
-  const start = performance.now();
-  let begin = start;
+  let begin = performance.now();
   let phase = '';
   const isStuck = stuckness();
   const remaining = remainingTime();
@@ -73,7 +72,6 @@ export async function whileBusy<T>(what: string, make: () => Promise<T>): Promis
   try {
     return await make();
   } finally {
-    performance.measure(what, { start });
     clearTimeout(timer);
     status.busy.value = null;
   }
