@@ -143,24 +143,26 @@ const MEAN_SQUARE_WEIGHT = 1 / 3;
  */
 function mixtures(poses: Float64Array[], count: number): Float64Array[] {
   if (poses.length === 0) return [];
-  const weights = poses[0].map(
-    (_, i) => Math.sqrt(MEAN_SQUARE_WEIGHT / count) * shareOfMost(poses, i - (i % 3)),
+  const amplitude = Math.sqrt(MEAN_SQUARE_WEIGHT / count);
+  const weights = Float64Array.from(
+    { length: poses[0].length / 3 },
+    (_, v) => amplitude * shareOfMost(poses, v),
   );
   return Array.from({ length: count }, (_, k) => {
-    const field = new Float64Array(weights.length);
+    const field = new Float64Array(poses[0].length);
     poses.forEach((pose, t) => {
       const sign = isOdd(k & t) ? -1 : 1;
-      pose.forEach((value, i) => (field[i] += sign * weights[i] * value));
+      pose.forEach((value, i) => (field[i] += sign * weights[Math.floor(i / 3)] * value));
     });
     return field;
   });
 }
 
-/** The displacement of the pose that moves the vertex with coordinates i to i + 2 most, over the root of the sum of all squares. */
-function shareOfMost(poses: Float64Array[], i: number): number {
+/** The displacement of vertex v in the pose that moves it most, over the root of the sum of the squares in all. */
+function shareOfMost(poses: Float64Array[], v: number): number {
   let [most, sum] = [0, 0];
   for (const pose of poses) {
-    const squared = pose[i] * pose[i] + pose[i + 1] * pose[i + 1] + pose[i + 2] * pose[i + 2];
+    const squared = squares(pose.subarray(3 * v, 3 * v + 3));
     most = Math.max(most, squared);
     sum += squared;
   }
