@@ -95,8 +95,6 @@ TEST(ClosestPoint, agreesWithADenseSearchOnAnyTriangle) {
   }
 }
 
-// Corners whose coordinates differ by many powers of ten make triangles without a height, whose normal is
-// nothing but rounding.
 // Needles from a hub to a wavy rim.
 TriangleMesh fan(uint32_t needles) {
   TriangleMesh mesh = {{{0, 0, 0.02}}, {}};
@@ -139,6 +137,8 @@ TEST(ClosestPoint, meetsFewNeedlesOfAFan) {
   EXPECT_LT(visits, 64 * kPoints);
 }
 
+// Corners whose coordinates differ by many powers of ten make triangles without a height, whose normal is
+// nothing but rounding.
 TEST(ClosestPoint, ofANeedleLiesBetweenItsCorners) {
   std::mt19937 random(3);
   const auto share = [&] { return 2.0 * random() / 4294967295.0 - 1; };
