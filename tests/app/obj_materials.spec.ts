@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import { glbParts } from '../../web/engine/document/glb';
 import { pngOf } from '../engine/support/pictures';
 import { drop, openPage, saveGlb, writeScratch } from './page';
-import { stillCapture } from './pictures';
+import { stillCapture, strongPixels } from './pictures';
 
 const RED = [255, 0, 0];
 const BLUE = [0, 0, 255];
@@ -32,27 +32,12 @@ interface Found {
 
 /** Strongly red and blue pixels in each half of a picture: original left, optimized right. */
 async function coloursOf(page: Page, png: Buffer): Promise<{ red: Found; blue: Found }[]> {
-  return page.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-    context.drawImage(bitmap, 0, 0);
-    const { data, width } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    const halves = [0, 1].map(() => ({ red: { count: 0, height: 0 }, blue: { count: 0, height: 0 } }));
-    for (let i = 0; i < data.length; i += 4) {
-      const [x, y] = [(i / 4) % width, Math.floor(i / 4 / width)];
-      // The axes of the scene have colours of their own.
-      if (x % (width / 2) < 80 && y > bitmap.height - 80) continue;
-      const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
-      const half = halves[Number(x > width / 2)];
-      const isStrong = (one: number, other: number) => one > 90 && one > 2 * other && one > 2 * g;
-      const found = isStrong(r, b) ? half.red : isStrong(b, r) ? half.blue : null;
-      if (!found) continue;
-      found.count += 1;
-      found.height += (y - found.height) / found.count;
-    }
-    return halves;
-  }, png.toString('base64'));
+  const { width, red, blue } = await strongPixels(page, png, 2);
+  const foundIn = (pixels: [x: number, y: number][], isRight: boolean): Found => {
+    const heights = pixels.filter(([x]) => x > width / 2 === isRight).map(([, y]) => y);
+    return { count: heights.length, height: heights.reduce((sum, y) => sum + y, 0) / heights.length };
+  };
+  return [false, true].map((isRight) => ({ red: foundIn(red, isRight), blue: foundIn(blue, isRight) }));
 }
 
 test('an OBJ that is dropped with its library and picture is drawn and saved with them', async ({ page }) => {

@@ -80,3 +80,34 @@ async function compareInPage(pictures: string[]): Promise<Change> {
     pinHeight: both(({ pins, height: sum }) => sum / pins),
   };
 }
+
+/** [x, y] of pixels, from the upper left corner. */
+type Places = [x: number, y: number][];
+
+/** The strongly red and the strongly blue pixels of a picture of panes side by side, without the axes of the scene in each. */
+export const strongPixels = (
+  page: Page,
+  png: Buffer,
+  panes = 1,
+): Promise<{ width: number; red: Places; blue: Places }> =>
+  page.evaluate(
+    async ([base64, count]) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const { width, height } = bitmap;
+      const context = new OffscreenCanvas(width, height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      const found = { width, red: [] as [number, number][], blue: [] as [number, number][] };
+      for (let i = 0; i < data.length; i += 4) {
+        const [x, y] = [(i / 4) % width, Math.floor(i / 4 / width)];
+        // The axes have colours of their own.
+        if (x % (width / count) < 80 && y > height - 80) continue;
+        const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
+        if (r > 90 && r > 2 * g && r > 2 * b) found.red.push([x, y]);
+        if (b > 90 && b > 2 * r && b > 2 * g) found.blue.push([x, y]);
+      }
+      return found;
+    },
+    [png.toString('base64'), panes] as const,
+  );

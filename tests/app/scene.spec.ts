@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
-import { stillCapture } from './pictures';
+import { stillCapture, strongPixels } from './pictures';
 import { drop, goTo, openPage, saveGlb, writeScratch } from './page';
 import { standingTubes } from './scenes';
 
@@ -21,27 +21,13 @@ interface Colours {
 
 /** Strongly red and blue pixels of a picture. */
 async function coloursOf(page: Page, png: Buffer): Promise<Colours> {
-  return page.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
-    context.drawImage(bitmap, 0, 0);
-    const { data, width } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    const found = { red: 0, blue: 0, low: [1e9, 1e9], high: [-1, -1] };
-    for (let i = 0; i < data.length; i += 4) {
-      const [x, y] = [(i / 4) % width, Math.floor(i / 4 / width)];
-      // The axes of the scene have colours of their own.
-      if (x < 80 && y > bitmap.height - 80) continue;
-      const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
-      if (b > 90 && b > 2 * r && b > 2 * g) found.blue += 1;
-      if (!(r > 90 && r > 2 * g && r > 2 * b)) continue;
-      found.red += 1;
-      found.low = found.low.map((value, c) => Math.min(value, [x, y][c]));
-      found.high = found.high.map((value, c) => Math.max(value, [x, y][c]));
-    }
-    const [w, h] = found.high.map((value, c) => value - found.low[c]);
-    return { red: found.red, blue: found.blue, width: w, height: h, left: found.low[0] };
-  }, png.toString('base64'));
+  const { red, blue } = await strongPixels(page, png);
+  const low = [1e9, 1e9];
+  const high = [-1, -1];
+  for (const place of red)
+    place.forEach((value, c) => ([low[c], high[c]] = [Math.min(low[c], value), Math.max(high[c], value)]));
+  const [width, height] = high.map((value, c) => value - low[c]);
+  return { red: red.length, blue: blue.length, width, height, left: low[0] };
 }
 
 /** Without waiting for it to stand still. */
