@@ -49,9 +49,11 @@ export function cornerNormals(mesh: TriangleMesh, hardCosine = CREASE_COSINE): C
   const group = smoothGroups(mesh, faceNormals, hardCosine);
   const sums = new Float64Array(3 * triangles.length);
   for (let corner = 0; corner < triangles.length; ++corner) {
-    const t = Math.floor(corner / 3);
+    const [face, to] = [corner - (corner % 3), 3 * group[corner]];
     const angle = angleAt(mesh, corner);
-    for (let c = 0; c < 3; ++c) sums[3 * group[corner] + c] += angle * faceNormals[3 * t + c];
+    sums[to] += angle * faceNormals[face];
+    sums[to + 1] += angle * faceNormals[face + 1];
+    sums[to + 2] += angle * faceNormals[face + 2];
   }
   return { group, normals: normalise(group, sums, faceNormals) };
 }
@@ -61,22 +63,32 @@ export function unitFaceNormals({ positions, triangles }: TriangleMesh): Float64
   const normals = new Float64Array(triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const edge = (from: number, to: number, axis: number) => positions[to + axis] - positions[from + axis];
-    const part = (u: number, v: number) => edge(a, b, u) * edge(a, c, v) - edge(a, b, v) * edge(a, c, u);
-    const [x, y, z] = [part(1, 2), part(2, 0), part(0, 1)];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
     const length = length3(x, y, z);
-    if (length > 0) normals.set([x / length, y / length, z / length], t);
+    if (!(length > 0)) continue;
+    normals[t] = x / length;
+    normals[t + 1] = y / length;
+    normals[t + 2] = z / length;
   }
   return normals;
 }
 
 /** Interior angle at a corner, in radians. */
 function angleAt({ positions, triangles }: TriangleMesh, corner: number): number {
-  const first = corner - (corner % 3);
-  const [at, next, previous] = [0, 1, 2].map((k) => 3 * triangles[first + ((corner + k) % 3)]);
+  const [face, k] = [corner - (corner % 3), corner % 3];
+  const at = 3 * triangles[corner];
+  const next = 3 * triangles[face + ((k + 1) % 3)];
+  const previous = 3 * triangles[face + ((k + 2) % 3)];
   let [along, a2, b2] = [0, 0, 0];
   for (let c = 0; c < 3; ++c) {
-    const [a, b] = [positions[next + c] - positions[at + c], positions[previous + c] - positions[at + c]];
+    const a = positions[next + c] - positions[at + c];
+    const b = positions[previous + c] - positions[at + c];
     along += a * b;
     a2 += a * a;
     b2 += b * b;
@@ -88,29 +100,33 @@ function angleAt({ positions, triangles }: TriangleMesh, corner: number): number
 /** Per corner: the lowest corner of its group. */
 function smoothGroups(mesh: TriangleMesh, faceNormals: Float64Array, hardCosine: number): Uint32Array {
   const { triangles } = mesh;
-  const parent = Uint32Array.from(triangles, (_, corner) => corner);
+  const parent = Uint32Array.from(triangles.keys());
   const find = (corner: number): number => {
     while (parent[corner] !== corner) corner = parent[corner] = parent[parent[corner]];
     return corner;
   };
   const { first, corners } = cornersOfVertices(triangles, vertexCount(mesh));
-  const cornerAcross = new Map<number, number>();
+  // Per vertex: the corner at v whose face has the edge to it, valid where `metAt` is v + 1.
+  const cornerAcross = new Uint32Array(first.length);
+  const metAt = new Uint32Array(first.length);
   for (let v = 0; v + 1 < first.length; ++v) {
-    cornerAcross.clear();
     for (let at = first[v]; at < first[v + 1]; ++at) {
       const corner = corners[at];
-      for (const step of [1, 2]) {
-        const neighbour = triangles[corner - (corner % 3) + ((corner + step) % 3)];
-        const other = cornerAcross.get(neighbour);
-        if (other === undefined) cornerAcross.set(neighbour, corner);
-        else if (cosineBetween(faceNormals, corner, other) >= hardCosine) {
+      const [face, k] = [corner - (corner % 3), corner % 3];
+      for (let step = 1; step < 3; ++step) {
+        const neighbour = triangles[face + ((k + step) % 3)];
+        const other = cornerAcross[neighbour];
+        if (metAt[neighbour] !== v + 1) {
+          metAt[neighbour] = v + 1;
+          cornerAcross[neighbour] = corner;
+        } else if (cosineBetween(faceNormals, corner, other) >= hardCosine) {
           const [a, b] = [find(corner), find(other)];
           parent[Math.max(a, b)] = Math.min(a, b);
         }
       }
     }
   }
-  return Uint32Array.from(triangles, (_, corner) => find(corner));
+  return parent.map((_, corner) => find(corner));
 }
 
 /** Between the faces of two corners. */
@@ -137,19 +153,18 @@ function cornersOfVertices(triangles: Uint32Array, vertexCount: number) {
 /** Where a sum vanishes the face normal replaces it, and +z where the face has no area: normals must have length 1. */
 function normalise(group: Uint32Array, sums: Float64Array, faceNormals: Float64Array): Float32Array {
   const normals = new Float32Array(sums.length);
-  group.forEach((root, corner) => {
-    if (root !== corner) return;
-    const face = corner - (corner % 3);
-    const candidates = [
-      sums.subarray(3 * corner, 3 * corner + 3),
-      faceNormals.subarray(face, face + 3),
-      [0, 0, 1],
-    ];
-    const chosen = candidates.find((vector) => lengthOf(vector) > 1e-9)!;
-    const length = lengthOf(chosen);
-    for (let c = 0; c < 3; ++c) normals[3 * corner + c] = chosen[c] / length;
-  });
+  for (let corner = 0; corner < group.length; ++corner) {
+    if (group[corner] !== corner) continue;
+    const [at, face] = [3 * corner, corner - (corner % 3)];
+    if (!putUnit(normals, at, sums, at) && !putUnit(normals, at, faceNormals, face)) normals[at + 2] = 1;
+  }
   return normals;
 }
 
-const lengthOf = (vector: ArrayLike<number>): number => length3(vector[0], vector[1], vector[2]);
+/** Puts the direction of the vector `from[i + c]` at `to[at + c]`; false if it has none. */
+function putUnit(to: Float32Array, at: number, from: Float64Array, i: number): boolean {
+  const length = length3(from[i], from[i + 1], from[i + 2]);
+  if (!(length > 1e-9)) return false;
+  for (let c = 0; c < 3; ++c) to[at + c] = from[i + c] / length;
+  return true;
+}
