@@ -41,9 +41,12 @@ const isReducing = (): boolean =>
 const areSeveral = (): boolean => (results.file.value?.bodies.length ?? 0) > 1;
 const sharesNow = (): string => sharesKey(settings(), keptFaces.value);
 
+/** Whether the slider moves: both cores are left to the replay of the history then. */
+const isSliding = (): boolean => restedFaces.value !== wantedFaces.value;
+
 /** The key of a stage that waits until the slider rests on a mesh that is shown; see replay.ts. */
 const atRest = (stage: LevelStage) => (): string | null =>
-  isReducing() && restedFaces.value === wantedFaces.value && isReplayed.value
+  isReducing() && !isSliding() && isReplayed.value
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
 
@@ -91,7 +94,7 @@ export const tasks: Task[] = [
   {
     what: 'Comparing the modes',
     key: () =>
-      results.modes.value && !areModesStale.value && !isResultAwaited()
+      results.modes.value && !areModesStale.value && !isResultAwaited() && !isSliding()
         ? afterBody(of(STAGES.modes))()
         : null,
     run: () => client.call((worker) => worker.overview(body(), settings())),
@@ -142,16 +145,14 @@ export const tasks: Task[] = [
   },
   {
     what: 'Writing and checking the file',
-    key: () =>
-      wants.exportOpen.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
+    key: () => (wants.exportOpen.value && !isSliding() ? afterHistory(exportedKey)() : null),
     run: () =>
       client.call((worker) => worker.export(exportSettings(settings()), keptFaces.value, exportRequest())),
     result: results.exported,
   },
   {
     what: 'Tuning for all generic solvers',
-    key: () =>
-      twin.wantsGeneric.value && restedFaces.value === wantedFaces.value ? afterHistory(genericKey)() : null,
+    key: () => (twin.wantsGeneric.value && !isSliding() ? afterHistory(genericKey)() : null),
     run: () =>
       client.call((worker) =>
         worker.genericFiles(exportSettings(settings()), keptFaces.value, exportRequest()),
@@ -209,7 +210,7 @@ const isResultFileWanted = (): boolean =>
   isFileDrawn.value &&
   !isHistoryStale.value &&
   results.metrics.value !== null &&
-  restedFaces.value === wantedFaces.value &&
+  !isSliding() &&
   canDrawFile() &&
   isStoppable();
 
@@ -217,7 +218,7 @@ const isResultFileWanted = (): boolean =>
 const MOST_FACES_UNSTOPPABLE = 20_000;
 
 const isMarkingWanted = (): boolean =>
-  view.step.value === 'reduce' && results.metrics.value !== null && isStoppable();
+  view.step.value === 'reduce' && results.metrics.value !== null && !isSliding() && isStoppable();
 
 const isStoppable = (): boolean =>
   client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;
