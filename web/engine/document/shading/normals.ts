@@ -59,8 +59,18 @@ export function cornerNormals(mesh: TriangleMesh, hardCosine = CREASE_COSINE): C
 }
 
 /** Unit normals normals[3 * t + c]; 0 for a triangle without area. */
-export function unitFaceNormals({ positions, triangles }: TriangleMesh): Float64Array {
-  const normals = new Float64Array(triangles.length);
+export function unitFaceNormals(mesh: TriangleMesh): Float64Array {
+  const normals = new Float64Array(mesh.triangles.length);
+  putAreaNormals(mesh, normals);
+  normaliseAll(normals);
+  return normals;
+}
+
+/** Puts the normal of triangle t, twice as long as its area, at `normals[3 t + c]`. */
+export function putAreaNormals(
+  { positions, triangles }: TriangleMesh,
+  normals: Float32Array | Float64Array,
+): void {
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
     const ux = positions[b] - positions[a];
@@ -69,14 +79,21 @@ export function unitFaceNormals({ positions, triangles }: TriangleMesh): Float64
     const vx = positions[c] - positions[a];
     const vy = positions[c + 1] - positions[a + 1];
     const vz = positions[c + 2] - positions[a + 2];
-    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = length3(x, y, z);
-    if (!(length > 0)) continue;
-    normals[t] = x / length;
-    normals[t + 1] = y / length;
-    normals[t + 2] = z / length;
+    normals[t] = uy * vz - uz * vy;
+    normals[t + 1] = uz * vx - ux * vz;
+    normals[t + 2] = ux * vy - uy * vx;
   }
-  return normals;
+}
+
+/** Gives the vectors [3 i + c] length 1, in place; those without a length stay. */
+export function normaliseAll(vectors: Float32Array | Float64Array): void {
+  for (let i = 0; i < vectors.length; i += 3) {
+    const length = length3(vectors[i], vectors[i + 1], vectors[i + 2]);
+    if (!(length > 0)) continue;
+    vectors[i] /= length;
+    vectors[i + 1] /= length;
+    vectors[i + 2] /= length;
+  }
 }
 
 /** Interior angle at a corner, in radians. */
