@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/parallel.h"
+#include "elastic/laplacian.h"
 #include "elastic/modes.h"
 #include "elastic/shell.h"
 #include "linear/eigensolver.h"
@@ -234,6 +235,62 @@ TEST(RoughSearch, looksForAFewOfThousandsOfMissingPairsAtATime) {
   for (Eigen::Index k = 0; k < 12; ++k) EXPECT_NEAR(found.basis.lambda[k], 1, 1e-4) << k;
   const Eigen::MatrixXd product = found.basis.phi.transpose() * found.basis.phi;
   EXPECT_LT((product - Eigen::MatrixXd::Identity(12, 12)).norm(), 1e-6);
+}
+
+// Pairs of equal masses, each joined by a spring of another stiffness and free to move: the eigenvalues are 0
+// and twice the stiffness.
+SparsePencil loosePairs(int count) {
+  SparsePencil pencil;
+  pencil.k.resize(2 * count, 2 * count);
+  pencil.m = Eigen::VectorXd::Ones(2 * count);
+  pencil.firstUnknown = {0};
+  for (int i = 0; i < count; ++i) {
+    const double k = 1 + 0.01 * i;
+    pencil.k.insert(2 * i, 2 * i) = pencil.k.insert(2 * i + 1, 2 * i + 1) = k;
+    pencil.k.insert(2 * i, 2 * i + 1) = pencil.k.insert(2 * i + 1, 2 * i) = -k;
+    for (const int end : {1, 2}) pencil.firstUnknown.push_back(static_cast<uint32_t>(2 * i + end));
+  }
+  pencil.k.makeCompressed();
+  return pencil;
+}
+
+TEST(Eigensolver, countsAZeroEigenvalueAsOftenAsItIsRepeated) {
+  Job job;
+  for (const int count : {70, 400})
+    for (const bool isRough : {false, true})
+      for (const double scale : {1.0, 0.01, 100.0}) {
+        SCOPED_TRACE(testing::Message() << count << " zeros, scale " << scale << ", rough " << isRough);
+        EigenOptions options{5, 6, scale};
+        options.isRough = isRough;
+        const EigenSolution found = solveEigenproblem(loosePairs(count), options, job);
+        EXPECT_EQ(found.nullity, static_cast<uint32_t>(count));
+        ASSERT_EQ(found.basis.lambda.size(), 5);
+        for (int k = 0; k < 5; ++k) EXPECT_NEAR(found.basis.lambda[k], 2 + 0.02 * k, 2e-4);
+      }
+}
+
+TEST(Eigensolver, countsAPencilOfZerosAlone) {
+  SparsePencil pencil = loosePairs(100);
+  pencil.k.coeffs().setZero();
+  Job job;
+  const EigenSolution found = solveEigenproblem(pencil, {5, 6, 1}, job);
+  EXPECT_EQ(found.nullity, 200u);
+  EXPECT_EQ(found.basis.lambda.size(), 0);
+}
+
+// With a shift of that size all of the lowest eigenvalues look like zeros.
+TEST(Eigensolver, findsEigenvaluesFarBelowTheScale) {
+  Job job;
+  const TriangleMesh strip = shapes::grid(60, 3, 20, 1);
+  const SparsePencil pencil = laplacianPencil(strip, buildTopology(strip));
+  const EigenSolution expected = solveEigenproblem(pencil, {5, 1, 1e-2}, job);
+  for (const double scale : {1e4, 1e8}) {
+    const EigenSolution found = solveEigenproblem(pencil, {5, 1, scale}, job);
+    EXPECT_EQ(found.nullity, 1u);
+    ASSERT_EQ(found.basis.lambda.size(), 5);
+    for (int k = 0; k < 5; ++k)
+      EXPECT_NEAR(found.basis.lambda[k], expected.basis.lambda[k], 1e-8 * expected.basis.lambda[k]);
+  }
 }
 
 TEST(ShellModes, areTheSameToTheBitForAnyNumberOfThreads) {

@@ -28,7 +28,7 @@ Eigen::Index gapAfter(const EigenSearch& search, Eigen::Index lastWanted) {
 
 }  // namespace
 
-Eigen::Index nullity(const EigenSearch& search, double sigma) {
+Eigen::Index zeroPairs(const EigenSearch& search, double sigma) {
   return (search.lambda.array() < kZeroRatio * std::abs(sigma)).count();
 }
 
@@ -48,12 +48,12 @@ void inverseIterate(const ShiftedPencil& pencil, EigenSearch& search) {
 int missingPairs(ShiftedPencil& pencil, const EigenSearch& search, Eigen::Index lastWanted) {
   const Eigen::Index gap = gapAfter(search, lastWanted);
   const double between = (search.lambda[gap] + search.lambda[gap + 1]) / 2;
-  return static_cast<int>(pencil.countBelow(between)) - static_cast<int>(gap + 1);
+  return static_cast<int>(pencil.countBelow(between)) - static_cast<int>(gap + 1 + search.hiddenZeros);
 }
 
 EigenSolution collectPairs(const EigenSearch& search, Eigen::Index zeros, int pairCount) {
   EigenSolution solution;
-  solution.nullity = static_cast<uint32_t>(zeros);
+  solution.nullity = static_cast<uint32_t>(zeros + search.hiddenZeros);
   const Eigen::Index count = std::min<Eigen::Index>(pairCount, search.lambda.size() - zeros);
   solution.basis.lambda = search.lambda.segment(zeros, count);
   solution.basis.phi = search.phi.middleCols(zeros, count);

@@ -14,8 +14,10 @@ inline constexpr double kTrustedInverseResidual = 1e-2;
 
 // Eigenpairs as a solver returns them, and how far they are to be trusted.
 struct EigenSolution {
-  uint32_t nullity = 0;  // eigenvalues that are 0 to rounding; their vectors are not kept
-  ModeBasis basis;       // the pairs with lambda > 0; fewer than wanted if there are no more
+  // Eigenvalues that are 0 to rounding; their vectors are not kept. Of a search from scratch all of them,
+  // however often the eigenvalue is repeated; of a refinement those that its start stands for.
+  uint32_t nullity = 0;
+  ModeBasis basis;  // the pairs with lambda > 0; fewer than wanted if there are no more
   // Per pair, over all unknowns: |K phi - lambda M phi| / (lambda |M phi|). Needle elements can fill it with
   // rounding while the pair is right: above 1e-7 the caller should warn.
   std::vector<double> residual;

@@ -25,7 +25,7 @@ constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, where s
 // another shift would cost a factorisation.
 constexpr double kSmallestShift = 0.005, kLargestShift = 15;
 constexpr double kBestShift = 0.5;     // times the first positive eigenvalue, for the next attempt
-constexpr double kShiftGrowth = 10;    // if no positive eigenvalue was found
+constexpr double kShiftStep = 0.1;     // of a shift on its way down to the gap above zero eigenvalues
 constexpr int kLastPass = 3;           // of the search for a good shift, counted from 0
 constexpr int kMissingAttempts = 4;    // searches for missing members of clusters
 constexpr int kMissingExtraPairs = 2;  // sought in addition to the missing ones
@@ -111,7 +111,7 @@ void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions
   double before = HUGE_VAL;
   for (int step = 0; step < kRefinements; ++step) {
     inverseIterate(pencil, search);
-    const Eigen::Index first = nullity(search, pencil.shift());
+    const Eigen::Index first = zeroPairs(search, pencil.shift());
     const Eigen::Index last = std::min<Eigen::Index>(first + options.pairCount, search.lambda.size());
     double worst = 0;
     for (Eigen::Index k = first; k < last; ++k)
@@ -121,17 +121,37 @@ void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions
   }
 }
 
+// Counts by inertia the zero eigenvalues that no pair stands for. Leaves a shift between them and the others.
+void countZeros(ShiftedPencil& pencil, double sigma, EigenSearch& search) {
+  const Eigen::Index zeros = zeroPairs(search, sigma);
+  const double limit = kZeroRatio * std::abs(sigma),
+               first = zeros < search.lambda.size() ? search.lambda[zeros] : limit;
+  const auto below = static_cast<Eigen::Index>(pencil.countBelow(std::sqrt(limit * first)));
+  search.hiddenZeros = std::max<Eigen::Index>(0, below - zeros);
+}
+
 // Adds the members of clusters that a single start vector has missed, until inertia counts no more of them.
 // An attempt looks for as many pairs as there are at most: where K is singular to rounding, inertia counts
-// hundreds that are not there, and the search for them would take hours.
+// hundreds that are not there, and the search for them would take hours. Zero eigenvalues are counted only:
+// a search from above them does not meet them.
 void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& options) {
   const double sigma = pencil.shift();
+  double searchShift = sigma;
+  bool areZerosCounted = false;
   for (int attempt = 0; attempt < kMissingAttempts; ++attempt) {
-    const Eigen::Index lastWanted = nullity(search, sigma) + options.pairCount - 1;
-    if (lastWanted + 1 >= search.lambda.size()) return;
-    const int missing = missingPairs(pencil, search, lastWanted);
+    const Eigen::Index lastWanted = zeroPairs(search, sigma) + options.pairCount - 1;
+    const bool isShort = lastWanted + 1 >= search.lambda.size();
+    int missing = isShort ? 0 : missingPairs(pencil, search, lastWanted);
+    // A few that are missing may as well be found, without another factorisation.
+    const bool areHidden = isShort || missing > options.pairCount || (missing > 0 && attempt > 0);
+    if (areHidden && !areZerosCounted) {
+      areZerosCounted = true;
+      countZeros(pencil, sigma, search);
+      missing -= static_cast<int>(search.hiddenZeros);
+      if (search.hiddenZeros > 0) searchShift = pencil.shift();
+    }
     if (missing <= 0) return;
-    pencil.shiftTo(sigma);
+    pencil.shiftTo(searchShift);
     const int sought = std::min(missing + kMissingExtraPairs, static_cast<int>(search.lambda.size()));
     const EigenSearch more = lanczos(pencil, pencil.restrict(search.phi), sought, options.isRough);
     Eigen::MatrixXd all(search.phi.rows(), search.phi.cols() + more.phi.cols());
@@ -141,6 +161,24 @@ void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& 
   }
 }
 
+// The pairs above zero eigenvalues of which there are too many for a search: with a shift between, these are
+// at the other end of the inverted spectrum. `top` is where to look for that shift from.
+EigenSearch searchAbove(ShiftedPencil& pencil, Eigen::Index zeros, double top, const EigenOptions& options) {
+  double shift = top;
+  while (static_cast<Eigen::Index>(pencil.countBelow(shift)) > zeros && shift > kZeroRatio * top)
+    shift *= kShiftStep;
+  const Eigen::Index sought =
+      std::min<Eigen::Index>(options.pairCount + kExtraPairs, pencil.heavyCount() - zeros);
+  EigenSearch search;
+  search.phi.resize(pencil.unknownCount(), 0);
+  if (sought > 0) {
+    search = lanczos(pencil, {}, static_cast<int>(sought), options.isRough);
+    refine(pencil, search, options);
+  }
+  search.hiddenZeros = zeros;
+  return search;
+}
+
 // The lowest pairs. Searches again with another shift until the shift suits what was found.
 EigenSearch searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
   double sigma = -options.scale;
@@ -148,7 +186,7 @@ EigenSearch searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
   for (int pass = 0;; ++pass) {
     pencil.shiftTo(sigma);
     EigenSearch search = lanczos(pencil, {}, zeros + options.pairCount + kExtraPairs, options.isRough);
-    zeros = static_cast<int>(nullity(search, sigma));
+    zeros = static_cast<int>(zeroPairs(search, sigma));
     const bool isLast = pass == kLastPass || search.lambda.size() >= pencil.heavyCount() - 1;
     if (zeros < search.lambda.size()) {
       const double first = search.lambda[zeros];
@@ -160,9 +198,12 @@ EigenSearch searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
       }
       if (!isGoodShift) sigma = -kBestShift * first;
     } else {
-      if (isLast) return search;
-      sigma *= kShiftGrowth;  // all pairs found are zero: look further
-      zeros = std::min(zeros + options.pairCount, static_cast<int>(pencil.heavyCount()) - 1);
+      const double limit = -kZeroRatio * sigma;
+      const uint32_t below = pencil.countBelow(limit);
+      if (isLast || pencil.countBelow(kZeroRatio * limit) == below)
+        return searchAbove(pencil, below, -sigma, options);
+      sigma *= kZeroRatio;
+      zeros = options.expectedNullity;
     }
   }
 }
@@ -189,7 +230,7 @@ EigenSolution solveBySearch(const SparsePencil& pencil, const EigenOptions& opti
   EigenSearch search = searchLowest(shifted, options);
   const double sigma = shifted.shift();
   addMissing(shifted, search, options);
-  EigenSolution solution = collectPairs(search, nullity(search, sigma), options.pairCount);
+  EigenSolution solution = collectPairs(search, zeroPairs(search, sigma), options.pairCount);
   solution.factorNonzeros = shifted.factorNonzeros();
   if (options.isRough) return solution;
   for (Eigen::Index k = 0; k < solution.basis.lambda.size(); ++k)

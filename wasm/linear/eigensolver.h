@@ -22,11 +22,15 @@ namespace limber {
 //    are found like all others.
 // 2. Shift rule: sigma is negative, so K - sigma M is positive definite and needs no pivoting. The first
 //    shift is -EigenOptions::scale. If it is not between 0.005 and 15 times the first positive eigenvalue
-//    lambda_1, the search is repeated with sigma = -lambda_1 / 2.
+//    lambda_1, the search is repeated with sigma = -lambda_1 / 2. Where every pair found is below 1e-4
+//    |sigma| and counts as zero, inertia tells why. If some eigenvalues are above 1e-8 |sigma|, the shift is
+//    too large to tell them from zero and becomes 1e-4 sigma. If none is, all of them are zero, and more than
+//    were sought: then a positive shift between them and lambda_1 finds what is above them.
 // 3. Block inverse iteration with Rayleigh-Ritz until the residuals are small or stop falling.
 // 4. Completeness by Sylvester's law of inertia: the negative pivots of K - s M, with s in a gap above the
-//    last wanted pair (the first of 1 %, or else the widest), count the eigenvalues below s. If the search
-//    has missed members of a cluster, a second search orthogonal to the known pairs adds them.
+//    last wanted pair (the first of 1 %, or else the widest), count the eigenvalues below s. If some are
+//    missing, those that are zero are counted with s below lambda_1, and if the search has missed members of
+//    a cluster, a second search orthogonal to the known pairs adds them.
 // Pencils with at most 120 entries in M are solved densely.
 //
 // The result is deterministic and does not depend on the number of threads. Cost: two or three factorisations

@@ -35,7 +35,7 @@ EigenSearch refineFrom(ShiftedPencil& pencil, const Eigen::MatrixXd& start, cons
   for (int step = 0; step < options.largestStepCount; ++step) {
     const Eigen::VectorXd before = search.lambda;
     inverseIterate(pencil, search);
-    const Eigen::Index zeros = nullity(search, options.shift);
+    const Eigen::Index zeros = zeroPairs(search, options.shift);
     const Eigen::Index count = std::min<Eigen::Index>(options.pairCount, search.lambda.size() - zeros);
     job.report(static_cast<double>(step + 1) / options.largestStepCount);
     if (errorOf(search, before, zeros, count - options.spareCount) < options.tolerance) break;
@@ -45,7 +45,7 @@ EigenSearch refineFrom(ShiftedPencil& pencil, const Eigen::MatrixXd& start, cons
 
 EigenSolution solutionOf(const ShiftedPencil& pencil, const EigenSearch& search,
                          const RefineOptions& options) {
-  EigenSolution solution = collectPairs(search, nullity(search, options.shift), options.pairCount);
+  EigenSolution solution = collectPairs(search, zeroPairs(search, options.shift), options.pairCount);
   solution.factorNonzeros = pencil.factorNonzeros();
   for (Eigen::Index k = 0; options.residuals && k < solution.basis.lambda.size(); ++k)
     solution.residual.push_back(pencil.residual(solution.basis.lambda[k], solution.basis.phi.col(k)));

@@ -43,6 +43,7 @@ class ShiftedPencil {
   Eigen::MatrixXd massProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const;
 
   Eigen::Index heavyCount() const { return rootMass_.size(); }
+  Eigen::Index unknownCount() const { return pencil_.m.size(); }
   // Bytes that a factorisation and `vectorCount` vectors of all unknowns take at their peak.
   uint64_t memoryWith(int vectorCount) const;
   uint64_t factorNonzeros() const { return factorisation_.structure().nonzeros(); }
