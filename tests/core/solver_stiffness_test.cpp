@@ -272,5 +272,20 @@ TEST(SolverVibration, FindsAFlatSheetOfSpringsWithoutResistance) {
   EXPECT_GE(vibration.countNoise(ones(stiffness), job), mesh.vertexCount() - 3);
 }
 
+TEST(SolverStiffness, IsTheSameToTheBitForAnyNumberOfThreads) {
+  const TriangleMesh mesh = shapes::sphere(4);
+  for (const auto& [name, model] : kModels) {
+    SCOPED_TRACE(name);
+    const SolverStiffness stiffness(mesh, buildTopology(mesh), model, constantsOf(model, mesh));
+    const std::vector<double> masses(mesh.vertexCount(), 1.0);
+    const Eigen::SparseMatrix<double> one = stiffness.pencil(uneven(stiffness), masses).k;
+    setThreadCount(4);
+    const Eigen::SparseMatrix<double> four = stiffness.pencil(uneven(stiffness), masses).k;
+    setThreadCount(1);
+    EXPECT_TRUE(one.coeffs().isApprox(four.coeffs(), 0));
+    EXPECT_EQ(Eigen::SparseMatrix<double>(one - Eigen::SparseMatrix<double>(one.transpose())).norm(), 0);
+  }
+}
+
 }  // namespace
 }  // namespace limber

@@ -2,7 +2,14 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
+
 namespace limber {
+namespace {
+
+constexpr size_t kNodesPerRange = 512;
+
+}  // namespace
 
 ElementAssembly::ElementAssembly(const std::vector<uint32_t>& firstUnknown,
                                  const std::vector<uint32_t>& elementNodes, uint32_t nodesPerElement)
@@ -13,23 +20,20 @@ ElementAssembly::ElementAssembly(const std::vector<uint32_t>& firstUnknown,
 
 void ElementAssembly::findNeighbours() {
   const size_t nodeCount = firstUnknown_.size() - 1;
-  std::vector<uint32_t> useStart(nodeCount + 1, 0), uses;
+  useStart_.assign(nodeCount + 1, 0);
   for (uint32_t node : elementNodes_)
-    if (node != kNoNode) ++useStart[node + 1];
-  for (size_t i = 0; i < nodeCount; ++i) useStart[i + 1] += useStart[i];
-  uses.resize(useStart.back());
-  std::vector<uint32_t> next(useStart.begin(), useStart.end() - 1);
-  for (size_t k = 0; k < elementNodes_.size(); ++k)
-    if (elementNodes_[k] != kNoNode)
-      uses[next[elementNodes_[k]]++] = static_cast<uint32_t>(k / nodesPerElement_);
+    if (node != kNoNode) ++useStart_[node + 1];
+  for (size_t i = 0; i < nodeCount; ++i) useStart_[i + 1] += useStart_[i];
+  uses_.resize(useStart_.back());
+  std::vector<uint32_t> next(useStart_.begin(), useStart_.end() - 1);
+  for (size_t slot = 0; slot < elementNodes_.size(); ++slot)
+    if (elementNodes_[slot] != kNoNode) uses_[next[elementNodes_[slot]]++] = static_cast<uint32_t>(slot);
 
   std::vector<uint32_t> seenBy(nodeCount, UINT32_MAX);
   start_.push_back(0);
   for (uint32_t i = 0; i < nodeCount; ++i) {
-    for (uint32_t use = useStart[i]; use < useStart[i + 1]; ++use)
-      for (uint32_t k = 0; k < nodesPerElement_; ++k) {
-        const uint32_t j = elementNodes_[uses[use] * nodesPerElement_ + k];
-        if (j == kNoNode) break;
+    for (uint32_t use = useStart_[i]; use < useStart_[i + 1]; ++use)
+      for (const uint32_t j : nodesOf(uses_[use] / nodesPerElement_)) {
         if (seenBy[j] == i) continue;
         seenBy[j] = i;
         neighbours_.push_back(j);
@@ -64,6 +68,13 @@ void ElementAssembly::reserveEntries() {
           *row++ = static_cast<int>(firstUnknown_[neighbours_[k]] + r);
 }
 
+// The nodes of an element, without the slots that it leaves empty.
+std::span<const uint32_t> ElementAssembly::nodesOf(uint32_t element) const {
+  const std::span<const uint32_t> slots(elementNodes_.data() + size_t{element} * nodesPerElement_,
+                                        nodesPerElement_);
+  return slots.first(static_cast<size_t>(std::ranges::find(slots, kNoNode) - slots.begin()));
+}
+
 // The offset of the block of node i within the columns of node j.
 uint32_t ElementAssembly::offsetOf(uint32_t i, uint32_t j) const {
   const auto first = neighbours_.begin() + start_[j], last = neighbours_.begin() + start_[j + 1];
@@ -86,6 +97,37 @@ void ElementAssembly::add(uint32_t element, const Eigen::Ref<const Eigen::Matrix
     }
     firstColumn += unknownsOf(nodes[j]) * whole_.rows();
   }
+}
+
+// Each node gathers its columns from its elements in their order, so that no two threads write to the same.
+Eigen::SparseMatrix<double> ElementAssembly::sum(
+    const std::function<void(const Columns&, double* values)>& fill) const {
+  Eigen::SparseMatrix<double> sum = sum_;
+  parallelFor(firstUnknown_.size() - 1, kNodesPerRange, [&](size_t begin, size_t end) {
+    std::vector<double> values;
+    for (auto j = static_cast<uint32_t>(begin); j < end; ++j)
+      for (uint32_t use = useStart_[j]; use < useStart_[j + 1]; ++use) {
+        Columns columns{uses_[use] / nodesPerElement_, 0, unknownsOf(j)};
+        const std::span<const uint32_t> nodes = nodesOf(columns.element);
+        uint32_t height = 0;
+        for (const uint32_t i : nodes) {
+          if (i == j) columns.first = height;
+          height += unknownsOf(i);
+        }
+        values.resize(size_t{height} * columns.count);
+        fill(columns, values.data());
+        const double* from = values.data();
+        for (const uint32_t i : nodes) {
+          const uint32_t offset = offsetOf(i, j), rows = unknownsOf(i);
+          for (uint32_t c = 0; c < columns.count; ++c) {
+            double* to = sum.valuePtr() + sum.outerIndexPtr()[firstUnknown_[j] + c] + offset;
+            for (uint32_t r = 0; r < rows; ++r) to[r] += from[size_t{c} * height + r];
+          }
+          from += rows;
+        }
+      }
+  });
+  return sum;
 }
 
 }  // namespace limber

@@ -2,6 +2,8 @@
 
 #include <Eigen/SparseCore>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace limber {
@@ -11,7 +13,7 @@ namespace limber {
 // each pair of nodes that share an element, zeros included.
 class ElementAssembly {
  public:
-  // Fills the last places of an element that has fewer nodes than others.
+  // Fills the last slots of an element that has fewer nodes than others.
   static constexpr uint32_t kNoNode = UINT32_MAX;
 
   // elementNodes[nodesPerElement * element + k]; no node may occur twice in one element.
@@ -22,6 +24,18 @@ class ElementAssembly {
   // is read, so the sum is symmetric to the last bit.
   void add(uint32_t element, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
+  // Some columns of an element's matrix.
+  struct Columns {
+    uint32_t element, first, count;
+  };
+  // The sum of all elements and of what `add` has added so far, found on several threads and the same to the
+  // bit for any number of them. `fill` writes columns of an element's matrix, one after the other, all rows
+  // of each; it is called for each node of an element, from any thread.
+  Eigen::SparseMatrix<double> sum(const std::function<void(const Columns&, double* values)>& fill) const;
+
+  // What `add` has added so far: zeros in all places of the pattern at first.
+  const Eigen::SparseMatrix<double>& sum() const { return sum_; }
+
   // Moves the sum into an empty matrix; the assembly is empty afterwards. As a value it would be copied:
   // sparse matrices of Eigen 3.4 cannot be moved.
   void take(Eigen::SparseMatrix<double>& sum) { sum.swap(sum_); }
@@ -31,9 +45,12 @@ class ElementAssembly {
   void reserveEntries();
   uint32_t unknownsOf(uint32_t node) const { return firstUnknown_[node + 1] - firstUnknown_[node]; }
   uint32_t offsetOf(uint32_t i, uint32_t j) const;
+  std::span<const uint32_t> nodesOf(uint32_t element) const;
 
   std::vector<uint32_t> firstUnknown_, elementNodes_;
   uint32_t nodesPerElement_;
+  // Node i has the slots uses_[useStart_[i] .. useStart_[i + 1]) in elementNodes_, ascending.
+  std::vector<uint32_t> useStart_, uses_;
   // Node i has the neighbours neighbours_[start_[i] .. start_[i + 1]), ascending and including i itself;
   // rowOffset_ (parallel to neighbours_) is the offset of the neighbour's first unknown in the columns of i.
   std::vector<uint32_t> start_, neighbours_, rowOffset_;

@@ -127,18 +127,25 @@ Eigen::Map<const Eigen::MatrixXd> SolverStiffness::matrixOf(uint32_t c) const {
   return {values_.data() + firstValue_[c], constraints_[c].rows, static_cast<Eigen::Index>(columnsOf(c))};
 }
 
+SparsePencil SolverStiffness::pattern() const {
+  SparsePencil pencil;
+  pencil.firstUnknown = firstUnknown_;
+  pencil.k = pattern_->sum();
+  pencil.m = Eigen::VectorXd::Zero(unknownCount());
+  return pencil;
+}
+
 SparsePencil SolverStiffness::pencil(std::span<const double> factors, std::span<const double> masses) const {
   SparsePencil pencil;
   pencil.firstUnknown = firstUnknown_;
-  ElementAssembly assembly = *pattern_;
-  Eigen::Matrix<double, 12, 12> product;
-  for (uint32_t c = 0; c < count(); ++c) {
-    const auto matrix = matrixOf(c);
-    auto block = product.topLeftCorner(matrix.cols(), matrix.cols());
-    block.noalias() = factors[c] * matrix.transpose().lazyProduct(matrix);
-    assembly.add(c, block);
-  }
-  assembly.take(pencil.k);
+  pencil.k = pattern_->sum([&](const ElementAssembly::Columns& columns, double* values) {
+    const auto matrix = matrixOf(columns.element);
+    for (uint32_t c = 0; c < columns.count; ++c) {
+      const auto column = matrix.col(columns.first + c);
+      for (Eigen::Index row = 0; row < matrix.cols(); ++row)
+        *values++ = factors[columns.element] * matrix.col(row).dot(column);
+    }
+  });
   for (uint32_t e = 0; e < looseRotation_.size(); ++e)
     if (looseRotation_[e] > 0)
       pencil.k.coeffRef(3 * vertexCount_ + e, 3 * vertexCount_ + e) += looseRotation_[e];

@@ -35,6 +35,8 @@ class SolverStiffness {
   uint32_t vertexCount() const { return vertexCount_; }
   Eigen::Index unknownCount() const { return static_cast<Eigen::Index>(firstUnknown_.back()); }
 
+  // A pencil of zeros with the pattern of `pencil`.
+  SparsePencil pattern() const;
   // `factors`: one for each constraint. `masses`: kg per vertex, > 0. The pattern never changes.
   SparsePencil pencil(std::span<const double> factors, std::span<const double> masses) const;
   // |B_c phi_i|^2: constraints x modes. `phi`: unknowns x modes. O(constraints x modes).

@@ -68,8 +68,7 @@ double eigenvalueOfRounding(const SparsePencil& pencil) {
 }  // namespace
 
 std::shared_ptr<const FactorStructure> structureOf(const SolverStiffness& stiffness, const Job& job) {
-  const std::vector<double> factors(stiffness.count(), 0.0), masses(stiffness.vertexCount(), 1.0);
-  return std::make_shared<const FactorStructure>(factorStructure(stiffness.pencil(factors, masses), job));
+  return std::make_shared<const FactorStructure>(factorStructure(stiffness.pattern(), job));
 }
 
 SolverVibration::SolverVibration(Setting setting, std::shared_ptr<const FactorStructure> structure)
