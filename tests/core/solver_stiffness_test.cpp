@@ -272,6 +272,41 @@ TEST(SolverVibration, FindsAFlatSheetOfSpringsWithoutResistance) {
   EXPECT_GE(vibration.countNoise(ones(stiffness), job), mesh.vertexCount() - 3);
 }
 
+// Each sheet but one turns about the shared edge. Hinges span edges of two triangles alone, Morley's element
+// all of them.
+TEST(SolverVibration, CountsSheetsThatSwingAboutAnEdge) {
+  Job job;
+  for (const int sheets : {3, 7}) {
+    const TriangleMesh mesh = surfaces::inFloats(surfaces::sheetsAroundAnEdge(sheets, 4));
+    for (const auto& [name, model] : kModels) {
+      if (model.bend == BendElement::CrossSprings) continue;
+      SCOPED_TRACE(name);
+      const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
+      const bool isMorley = model.bend == BendElement::Morley;
+      EXPECT_EQ(vibration.countNoise(ones(stiffness), job), isMorley ? 0u : sheets - 1u);
+    }
+  }
+}
+
+// Two sheets that share a corner turn about it in three ways.
+TEST(SolverVibration, CountsSheetsThatTurnAboutAVertex) {
+  Job job;
+  TriangleMesh mesh = shapes::grid(6, 6);
+  const uint32_t last = mesh.vertexCount() - 1;
+  const TriangleMesh sheet = mesh;
+  for (uint32_t v = 1; v <= last; ++v) mesh.positions.push_back(sheet.positions[v] + sheet.positions[last]);
+  for (Triangle t : sheet.triangles) {
+    for (uint32_t& v : t) v += last;
+    mesh.triangles.push_back(t);
+  }
+  for (const auto& [name, model] : kModels) {
+    if (model.bend == BendElement::CrossSprings) continue;
+    SCOPED_TRACE(name);
+    const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
+    EXPECT_EQ(vibration.countNoise(ones(stiffness), job), 3u);
+  }
+}
+
 TEST(SolverStiffness, IsTheSameToTheBitForAnyNumberOfThreads) {
   const TriangleMesh mesh = shapes::sphere(4);
   for (const auto& [name, model] : kModels) {

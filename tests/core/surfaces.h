@@ -192,4 +192,22 @@ inline TriangleMesh bumpySphere() {
   return mesh;
 }
 
+// Sheets of 1 x 0.5 that share one edge of 1.
+inline TriangleMesh sheetsAroundAnEdge(int sheets, int cells) {
+  TriangleMesh mesh;
+  for (int i = 0; i < sheets; ++i) {
+    const double angle = 0.3 + 2.2 * i;
+    TriangleMesh sheet = shapes::grid(2 * cells, cells, 1, 0.5);
+    for (Vec3& p : sheet.positions) p = {p.x, p.y * std::cos(angle), p.y * std::sin(angle)};
+    const uint32_t shared = i > 0 ? 2 * cells + 1 : 0, first = mesh.vertexCount() - shared;
+    mesh.positions.insert(mesh.positions.end(), sheet.positions.begin() + shared, sheet.positions.end());
+    for (Triangle t : sheet.triangles) {
+      for (uint32_t& v : t)
+        if (v >= shared) v += first;
+      mesh.triangles.push_back(t);
+    }
+  }
+  return mesh;
+}
+
 }  // namespace limber::surfaces

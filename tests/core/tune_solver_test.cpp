@@ -210,29 +210,12 @@ TEST(TuneSolver, FitsNothingToALargeFlatSheetOfSprings) {
   }
 }
 
-// Sheets of 1 x 0.5 that share one edge of 1.
-TriangleMesh sheetsAroundAnEdge(int sheets, int cells) {
-  TriangleMesh mesh;
-  for (int i = 0; i < sheets; ++i) {
-    const double angle = 0.3 + 2.2 * i;
-    TriangleMesh sheet = shapes::grid(2 * cells, cells, 1, 0.5);
-    for (Vec3& p : sheet.positions) p = {p.x, p.y * std::cos(angle), p.y * std::sin(angle)};
-    const uint32_t shared = i > 0 ? 2 * cells + 1 : 0, first = mesh.vertexCount() - shared;
-    mesh.positions.insert(mesh.positions.end(), sheet.positions.begin() + shared, sheet.positions.end());
-    for (Triangle t : sheet.triangles) {
-      for (uint32_t& v : t)
-        if (v >= shared) v += first;
-      mesh.triangles.push_back(t);
-    }
-  }
-  return mesh;
-}
-
 // No hinge spans an edge of three sheets, so that they swing about it without resistance.
 TEST(TuneSolver, FitsNothingToSheetsThatSwingAboutAnEdge) {
   Job job;
-  for (const int sheets : {3, 4}) {
-    const TriangleMesh original = sheetsAroundAnEdge(sheets, 8), coarse = sheetsAroundAnEdge(sheets, 4);
+  for (const int sheets : {3, 4, 90}) {
+    const TriangleMesh original = surfaces::sheetsAroundAnEdge(sheets, 8),
+                       coarse = surfaces::sheetsAroundAnEdge(sheets, 4);
     for (const int model : {1, 2, 3}) {
       SCOPED_TRACE(kModels[model].first);
       const Tuned tuned =

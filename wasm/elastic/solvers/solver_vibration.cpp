@@ -6,11 +6,13 @@
 #include <limits>
 #include <optional>
 
+#include "base/disjoint_sets.h"
 #include "elastic/followed_modes.h"
 #include "elastic/pins.h"
 #include "elastic/solve_modes.h"
 #include "linear/eigen_search.h"
 #include "linear/shifted_pencil.h"
+#include "mesh/topology.h"
 
 namespace limber {
 namespace {
@@ -63,6 +65,22 @@ double eigenvalueOfRounding(const SparsePencil& pencil) {
   for (Eigen::Index u = 0; u < pencil.m.size(); ++u)
     if (pencil.m[u] > 0) stiffness += pencil.k.coeff(u, u);
   return kManyRoundings * kDoubleRounding * stiffness / pencil.m.sum();
+}
+
+// Whether bending elements join all triangles, so that rigid motions alone meet no resistance: a triangle
+// keeps its shape, a hinge the angle between two of them, and Morley's element all angles about an edge.
+// Springs across an edge resist only what is not flat.
+bool bendingJoinsAll(const TriangleMesh& mesh, const SolverStiffness& stiffness) {
+  const uint32_t first = stiffness.stretchCount();
+  if (first == stiffness.count() || stiffness[first].vertexCount == 2) return false;
+  const bool isMorley = stiffness[first].vertexCount == 3;
+  const Topology topology = buildIncidence(mesh);
+  DisjointSets pieces(mesh.triangleCount());
+  for (const Topology::Edge& edge : topology.edges)
+    if (isMorley || edge.useCount == 2)
+      for (const uint32_t t : topology.trianglesAt(edge)) pieces.unite(topology.trianglesAt(edge)[0], t);
+  const std::vector<uint32_t> roots = pieces.roots();
+  return std::ranges::all_of(roots, [](uint32_t root) { return root == 0; });
 }
 
 }  // namespace
@@ -154,10 +172,7 @@ double SolverVibration::refinedFirstEigenvalue(double rough, Eigen::MatrixXd mot
 }
 
 uint32_t SolverVibration::countNoise(std::span<const double> factors, Job& job) const {
-  const SolverStiffness& stiffness = setting_.stiffness;
-  const bool hasHinges =
-      stiffness.count() > stiffness.stretchCount() && stiffness[stiffness.stretchCount()].vertexCount > 2;
-  if (hasHinges) return 0;
+  if (bendingJoinsAll(setting_.mesh, setting_.stiffness)) return 0;
   const SparsePencil pencil = pencilOf(factors);
   const TriangleMesh& mesh = setting_.mesh;
   std::vector<double> local;  // squared frequencies of single vertices while all others are fixed
@@ -172,7 +187,7 @@ uint32_t SolverVibration::countNoise(std::span<const double> factors, Job& job) 
   const double edge = length / std::max<double>(1, mesh.triangleCount());
   const double tilt = kFloatRounding * bounds(mesh).diagonal() / edge;
   ShiftedPencil shifted(pencil, structure_, job);
-  const uint32_t below = shifted.countBelow(*middle * tilt * tilt);
+  const uint32_t below = shifted.countBelow(std::max(*middle * tilt * tilt, eigenvalueOfRounding(pencil)));
   const auto rigid = static_cast<uint32_t>(rigidMotionCount());
   return below > rigid ? below - rigid : 0;
 }

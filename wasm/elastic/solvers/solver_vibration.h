@@ -53,8 +53,9 @@ class SolverVibration {
   // power of ten. One to three factorisations.
   double roughFirstEigenvalue(Job& job) const;
   // Elastic eigenvalues below the size that positions rounded to float32 give to motions without any
-  // resistance: more than none where a sheet of springs is flat. None with any other bending element. One
-  // factorisation.
+  // resistance: more than none where a sheet of springs is flat, or where sheets swing about an edge or a
+  // vertex that they share. None, and nothing to factorise, where bending elements join all triangles; one
+  // factorisation otherwise.
   uint32_t countNoise(std::span<const double> factors, Job& job) const;
 
  private:
