@@ -96,7 +96,8 @@ function choose(name: ComparedMethod): string {
       '{method} is here to compare with. Limber shows, tests and saves results of its own methods: choose one of the first three.',
       { method: say(METHOD_TITLES[name]) },
     );
-  if (wants.settings.value.method !== name) changeSettings(methodChange(name));
+  const { value: settings } = wants.settings;
+  if (settings.method !== name) changeSettings(methodChange(settings, name));
   close();
   return '';
 }
