@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -152,22 +153,54 @@ TEST(SelfContacts, ofAFinePartInACoarseBodyAreInProportionToItsVertices) {
   EXPECT_LT(contacts.count(), 8 * size_t{mesh.vertexCount()});
 }
 
-double meanEdgeAt(const TriangleMesh& mesh, uint32_t vertex) {
-  double sum = 0, count = 0;
+// The mean of the edges at a vertex, or three times the second shortest where that is less.
+double ballAt(const TriangleMesh& mesh, uint32_t vertex) {
+  std::vector<double> edges;
   for (const auto& edge : buildTopology(mesh).edges)
-    if (edge.a == vertex || edge.b == vertex) {
-      sum += length(mesh.positions[edge.a] - mesh.positions[edge.b]);
-      ++count;
+    if (edge.a == vertex || edge.b == vertex)
+      edges.push_back(length(mesh.positions[edge.a] - mesh.positions[edge.b]));
+  std::ranges::sort(edges);
+  return std::min(std::accumulate(edges.begin(), edges.end(), 0.0) / static_cast<double>(edges.size()),
+                  3 * edges[1]);
+}
+
+// A disc of needles around a small circle, which keeps opposite vertices of the rim more than two edges
+// apart.
+TriangleMesh needleDisc(uint32_t needles) {
+  constexpr uint32_t kInner = 8;
+  TriangleMesh mesh;
+  const auto addCircle = [&](uint32_t count, double radius) {
+    for (uint32_t i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * i / count;
+      mesh.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
     }
-  return sum / count;
+  };
+  addCircle(kInner, 0.01);
+  addCircle(needles, 1);
+  for (uint32_t i = 0; i < needles; ++i) {
+    const uint32_t a = kInner + i, b = kInner + (i + 1) % needles;
+    const uint32_t near = i * kInner / needles, next = (i + 1) * kInner / needles;
+    mesh.triangles.push_back({a, b, near});
+    if (next != near) mesh.triangles.push_back({near, b, next % kInner});
+  }
+  return mesh;
+}
+
+TEST(SelfContacts, ofNeedlesAreInProportionToTheirNumber) {
+  for (const uint32_t needles : {800u, 16'000u}) {
+    const TriangleMesh mesh = needleDisc(needles);
+    SelfContacts contacts(mesh, 0.3);
+    contacts.rebase(particlesAt(mesh.positions), 10);
+    EXPECT_LT(contacts.count(), 4 * size_t{needles}) << needles;
+  }
 }
 
 // Two triangles of different size, each vertex of which is at rest 100 m away from the other triangle.
-TEST(SelfContacts, keepVerticesApartByTheMeanOfTheirEdges) {
+TEST(SelfContacts, keepVerticesApartByTheirEdges) {
   for (const double size : {1.0, 0.6, 0.03, 1e-4}) {
     TriangleMesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1.2, 0}, {100, 0, 0}, {100 + size, 0, 0}, {100, size, 0}},
                          {{0, 1, 2}, {3, 4, 5}}};
-    const double distance = (meanEdgeAt(mesh, 0) + meanEdgeAt(mesh, 3)) / 2;
+    const double distance = (ballAt(mesh, 0) + ballAt(mesh, 3)) / 2;
     SelfContacts contacts(mesh, 0);
     for (const double near : {0.99, 0.5}) {
       Particles particles =
@@ -193,7 +226,7 @@ TEST(SelfContacts, areAllPairsThatAComparisonOfEachWithEachFinds) {
   contacts.rebase(particlesAt(folded), 10);
 
   std::vector<double> width;
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) width.push_back(meanEdgeAt(mesh, v));
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) width.push_back(ballAt(mesh, v));
   std::vector<std::set<uint32_t>> ring(mesh.vertexCount());
   for (const Triangle& t : mesh.triangles)
     for (const uint32_t v : t) ring[v].insert(t.begin(), t.end());

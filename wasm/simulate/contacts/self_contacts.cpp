@@ -15,6 +15,7 @@ namespace {
 
 // The most cells per axis, so that a key fits into 64 bits.
 constexpr double kMostCells = 1 << 20;
+constexpr double kWidestSteps = 3;  // edges, of a ball at most: as near as vertices can be that touch
 
 using CellIndex = std::array<uint64_t, 3>;
 
@@ -45,18 +46,29 @@ std::vector<uint32_t> ringOf(const TriangleMesh& mesh, const Topology& topology,
   return ring;
 }
 
-// Per vertex the mean length of its edges; 0 without any.
-std::vector<double> meanEdgeLengths(const TriangleMesh& mesh, const Topology& topology) {
-  std::vector<double> mean(mesh.vertexCount(), 0.0);
-  std::vector<uint32_t> count(mesh.vertexCount(), 0);
-  for (const auto& edge : topology.edges)
+// The widths of the balls; 0 at a vertex without any edge of some length. Where vertices lie along a line
+// with needles beside it, as on the rim of a fan, the mean of the edges is that of the needles, and a ball of
+// that width would hold vertices in proportion to their number. Vertices more than two edges apart touch, so
+// a ball may reach as far as three of the edges along the line: of the two shortest ones the longer.
+std::vector<double> ballWidths(const TriangleMesh& mesh, const Topology& topology) {
+  struct Edges {
+    double sum = 0, shortest = HUGE_VAL, second = HUGE_VAL;
+    uint32_t count = 0;
+  };
+  std::vector<Edges> edges(mesh.vertexCount());
+  for (const auto& edge : topology.edges) {
+    const double size = length(mesh.positions[edge.a] - mesh.positions[edge.b]);
     for (const uint32_t v : {edge.a, edge.b}) {
-      mean[v] += length(mesh.positions[edge.a] - mesh.positions[edge.b]);
-      ++count[v];
+      edges[v].sum += size;
+      ++edges[v].count;
+      edges[v].second = std::min(edges[v].second, std::max(size, edges[v].shortest));
+      edges[v].shortest = std::min(edges[v].shortest, size);
     }
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    if (count[v] > 0) mean[v] /= count[v];
-  return mean;
+  }
+  std::vector<double> widths;
+  for (const Edges& at : edges)
+    widths.push_back(at.count > 0 ? std::min(at.sum / at.count, kWidestSteps * at.second) : 0);
+  return widths;
 }
 
 // How far beyond its ball a vertex of that width is looked for. The limit keeps cells small; faster vertices
@@ -75,7 +87,7 @@ double cellFor(double width, double travel) {
 SelfContacts::SelfContacts(const TriangleMesh& mesh, double friction)
     : rest_(mesh.positions), friction_(static_cast<float>(friction)) {
   const Topology topology = buildTopology(mesh);
-  width_ = meanEdgeLengths(mesh, topology);
+  width_ = ballWidths(mesh, topology);
   findLevels();
   ringStart_.push_back(0);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {

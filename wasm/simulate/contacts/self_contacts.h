@@ -10,10 +10,11 @@
 namespace limber {
 
 // Keeps the parts of a body apart that do not lie side by side. Each vertex is the middle of a ball as wide
-// as the edges around it are long, on average. Two vertices that are more than two edges away from each other
-// push each other away when their balls meet, or when they come closer than at rest where that is less. This
-// suits cloth of even triangles. A coarse mesh, or a fine part of an uneven one, can slip through, and so can
-// a part that moves by more than an edge in a step.
+// as the edges around it are long, on average, and at most three times as wide as the second shortest of them
+// is long, so that the ends of needles touch as many others as their spacing lets them. Two vertices that are
+// more than two edges away from each other push each other away when their balls meet, or when they come
+// closer than at rest where that is less. This suits cloth of even triangles. A coarse mesh, or a fine part
+// of an uneven one, can slip through, and so can a part that moves by more than an edge in a step.
 //
 // A vertex without an edge of any length touches nothing.
 class SelfContacts {
