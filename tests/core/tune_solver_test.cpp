@@ -185,6 +185,7 @@ TEST(TuneSolver, FitsNothingToAFlatSheetOfSprings) {
   const Tuned tuned =
       tuneSolver(sheet, coarse, optionsFor(kModels[4].second, sheet, TuneKind::Constraint), job);
   EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
+  EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoResistance);
   EXPECT_TRUE(std::isnan(tuned.frequencies.errorUntouched));
   EXPECT_TRUE(std::ranges::all_of(tuned.bendFactors, [](double factor) { return factor == 1; }));
   EXPECT_FALSE(tuned.bendFactors.empty());
@@ -205,6 +206,7 @@ TEST(TuneSolver, FitsNothingToALargeFlatSheetOfSprings) {
     }
     const Tuned tuned = tuneSolver(sheet, coarse, options, job);
     EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
+    EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoResistance);
     EXPECT_EQ(tuned.bendFactor, 1);
     EXPECT_EQ(tuned.stretchFactor, 1);
   }
@@ -221,6 +223,7 @@ TEST(TuneSolver, FitsNothingToSheetsThatSwingAboutAnEdge) {
       const Tuned tuned =
           tuneSolver(original, coarse, optionsFor(kModels[model].second, original, TuneKind::Global), job);
       EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
+      EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoResistance);
       EXPECT_EQ(tuned.bendFactor, 1);
       EXPECT_EQ(tuned.stretchFactor, 1);
     }
@@ -238,6 +241,7 @@ TEST(TuneSolver, FitsNothingWhereNoSearchForModesConverges) {
     options.result.bend *= 1e-12;
     const Tuned tuned = tuneSolver(sheet, coarse, options, job);
     EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
+    EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoConvergence);
     EXPECT_EQ(tuned.bendFactor, 1);
   }
 }

@@ -32,6 +32,7 @@ function tunedBody(solver: SolverName, change: Partial<Tuned> = {}): TunedBody {
     stretchVertices: isNet ? Uint32Array.of(0, 1, 1, 2, 0, 2, 2, 3, 1, 3) : mesh.triangles,
     bendVertices: profile.bend === 'cross-springs' ? Uint32Array.of(0, 3) : Uint32Array.of(1, 2, 0, 3),
     frequencies: { errorUntouched: 40, errorTuned: 5, errorUnseen: 7, errorOtherPins: 8 },
+    frequencyStatus: 'found',
     motionRefusal: '',
     motion: { scene: 'sway', untouched: 1.5, tuned: 0.4, noiseFloor: 0.01, kept: 'tuned' },
     ...change,
@@ -157,13 +158,21 @@ describe('what a report says of them', () => {
 
   it('leaves out errors of modes that a body does not have, and says so', () => {
     const none = { errorUntouched: NaN, errorTuned: NaN, errorUnseen: NaN, errorOtherPins: NaN };
-    const flat = tunedBody('springs', { frequencies: none, motion: null });
+    const flat = tunedBody('springs', {
+      frequencies: none,
+      frequencyStatus: 'noResistance',
+      motion: null,
+    });
     expect(fileOf(flat)).not.toHaveProperty('motion');
     expect(writeSettings(fileOf(flat))).toContain('"frequencies": {}');
     const { springs } = solverReport([flat, tunedBody('springs')]).fidelity.solvers;
     expect(springs!.frequencies.errorTuned).toBe(5);
     expect(describeTuning('springs', solverReport([flat]).fidelity.solvers.springs!)[0]).toMatch(
       /^in Springs this shape bends without resistance/,
+    );
+    const lost = tunedBody('springs', { ...flat.tuned, frequencyStatus: 'noConvergence' });
+    expect(describeTuning('springs', solverReport([lost]).fidelity.solvers.springs!)[0]).toMatch(
+      /^in Springs no search for the modes of this shape converges/,
     );
   });
 

@@ -20,6 +20,12 @@ struct Names<KeptParameters> {
 };
 
 template <>
+struct Names<FrequencyStatus> {
+  static constexpr std::array list = {"found", "noResistance", "noConvergence"};
+  static constexpr const char* what = "status of frequencies";
+};
+
+template <>
 struct Fields<TuneOptions> {
   static constexpr auto list =
       std::tuple(field("model", &TuneOptions::model), field("original", &TuneOptions::original),
@@ -52,7 +58,8 @@ struct Fields<Tuned> {
                  field("stretchFactors", &Tuned::stretchFactors), field("bendFactors", &Tuned::bendFactors),
                  field("masses", &Tuned::masses), field("stretchVertices", &Tuned::stretchVertices),
                  field("bendVertices", &Tuned::bendVertices), field("frequencies", &Tuned::frequencies),
-                 field("motion", &Tuned::motion), field("motionRefusal", &Tuned::motionRefusal));
+                 field("frequencyStatus", &Tuned::frequencyStatus), field("motion", &Tuned::motion),
+                 field("motionRefusal", &Tuned::motionRefusal));
 };
 
 namespace {

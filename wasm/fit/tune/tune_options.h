@@ -24,6 +24,10 @@ struct TuneOptions {
   bool runsTrial = false;               // whether bodies move before anything is handed over
 };
 
+// Whether a body has the frequencies that are tuned. NoResistance: the solver's energy leaves motions other
+// than rigid ones free. NoConvergence: no search found its modes, which says nothing of how it bends.
+enum class FrequencyStatus : int32_t { Found = 0, NoResistance = 1, NoConvergence = 2 };
+
 // Mean relative errors of frequencies in %; NaN where a body has no such modes.
 struct TunedFrequencies {
   double errorUntouched = std::numeric_limits<double>::quiet_NaN();  // modes 1 to 10, free
@@ -52,6 +56,7 @@ struct Tuned {
   std::vector<double> masses;                       // kg per vertex; their sum is the mass of the original
   std::vector<uint32_t> stretchVertices, bendVertices;  // of each constraint, one after the other
   TunedFrequencies frequencies;
+  FrequencyStatus frequencyStatus = FrequencyStatus::Found;
   std::optional<TunedMotion> motion;
   std::string motionRefusal;  // why there is no `motion` although it was asked for, as a clause; else empty
 };

@@ -150,6 +150,7 @@ Tuned tuneSolver(const TriangleMesh& original, const TriangleMesh& result, const
   const TuneConstraints constraints{result, all, stiffness.stretchCount(),
                                     !hasBorder(buildTopology(original))};
   const Tuning untouched = untouchedOf(options.tune, constraints);
+  tuned.frequencyStatus = problem.status();
   if (!problem.isDefinite()) {
     write({untouched, {}}, tuned);
     return tuned;

@@ -14,7 +14,8 @@ namespace limber {
 // On a mesh with a border the factors on stretching stay 1: what hangs is governed by its lengths. Where the
 // solver's energy leaves motions without resistance (a flat sheet of springs bends freely, and hinges let
 // three sheets swing about an edge that they share), or where no search finds the modes, there are no
-// frequencies to fit: factors stay 1 and errors are NaN. Factors keep to [0.1, 10].
+// frequencies to fit: factors stay 1, errors are NaN and Tuned::frequencyStatus says which it is. Factors
+// keep to [0.1, 10].
 //
 // With `runsTrial` original and result then move through a short scene, see fit/tune/motion_trial.h, and
 // tuned factors are handed over only where the motion is no worse for them by more than its noise.

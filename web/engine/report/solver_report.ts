@@ -1,6 +1,6 @@
 /** How near a result moves to its original in a solver, untouched and tuned. */
 
-import type { Fidelity, TunedFrequencies, TunedMotion } from '../core/core';
+import type { Fidelity, FrequencyStatus, TunedFrequencies, TunedMotion } from '../core/core';
 import { profileOf } from '../solvers/profiles';
 import type { SolverName } from '../solvers/profiles';
 import type { TunedBody } from '../solvers/tuned_body';
@@ -9,6 +9,8 @@ import { knownErrors, worstTuned } from './settings_file';
 /** Errors in %, of the body whose frequencies are off most; those of modes that it does not have are absent. */
 export interface SolverReport {
   frequencies: Partial<TunedFrequencies>;
+  /** why there are no frequencies; absent where they were found */
+  frequencyStatus?: Exclude<FrequencyStatus, 'found'>;
   /** absent where nothing was moved */
   motion?: TunedMotion;
   /** why nothing was moved, as a clause */
@@ -36,11 +38,12 @@ export function solverReport(bodies: TunedBody[]): {
   fidelity: { solvers: NonNullable<FidelityReport['solvers']> };
 } {
   const { solver, tuned } = worstTuned(bodies);
-  const { frequencies, motion, motionRefusal } = tuned;
+  const { frequencies, frequencyStatus, motion, motionRefusal } = tuned;
   const moved = { ...(motion && { motion }), ...(motionRefusal && { motionRefusal }) };
   const outside = outOfRange(bodies);
   const report = {
     frequencies: knownErrors(frequencies),
+    ...(frequencyStatus !== 'found' && { frequencyStatus }),
     ...moved,
     ...(outside.length > 0 && { outOfRange: outside }),
   };
@@ -63,12 +66,16 @@ const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 
 /** Sentences without their end about what a tuning has found, for the terminal and the page. */
 export function describeTuning(
   solver: SolverName,
-  { frequencies, motion, motionRefusal, outOfRange = [] }: SolverReport,
+  { frequencies, frequencyStatus, motion, motionRefusal, outOfRange = [] }: SolverReport,
 ): string[] {
   const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
   const moved = motion ? describeMotion(motion) : `the motion itself was not tried${why}`;
   const beyond = outOfRange.map((parameter) => describeOutOfRange(solver, parameter));
-  return [describeFrequencies(solver, frequencies), moved, ...beyond];
+  const errors =
+    frequencyStatus === 'noConvergence'
+      ? `in ${profileOf(solver).label} no search for the modes of this shape converges, so there are no frequencies to tune: masses are, the factors stay at 1`
+      : describeFrequencies(solver, frequencies);
+  return [errors, moved, ...beyond];
 }
 
 function describeOutOfRange(solver: SolverName, { name, value, min, max }: OutOfRange): string {

@@ -37,7 +37,10 @@ type Factors = Pick<SimulatedSolver, 'stretchFactors' | 'bendFactors'>;
 /** What a tuning has found for single constraints, by its maps of vertices or for each by itself. */
 export function factorsOf(
   { stretch, bend }: SimulatedSolver['model'],
-  tuned: Omit<Tuned, 'masses' | 'stretchFactor' | 'bendFactor' | 'frequencies' | 'motion' | 'motionRefusal'>,
+  tuned: Pick<
+    Tuned,
+    'stretchField' | 'bendField' | 'stretchFactors' | 'bendFactors' | 'stretchVertices' | 'bendVertices'
+  >,
 ): Factors {
   const stretchSize = stretch === 'membrane' ? 3 : 2;
   const bendSize = bend === 'cross-springs' ? 2 : 4;

@@ -84,12 +84,19 @@ export function tunedErrorOf(
   settings: TuneSettings,
 ): number {
   const coarse = { mesh: result.mesh, pinned: pinnedOfResult(pinned, result), pinnedOriginal: pinned };
-  const { errorTuned } = tuneMesh(core, prepared, coarse, { ...settings, runsTrial: false }).tuned
-    .frequencies;
-  if (Number.isFinite(errorTuned)) return errorTuned;
+  const { frequencies, frequencyStatus } = tuneMesh(core, prepared, coarse, {
+    ...settings,
+    runsTrial: false,
+  }).tuned;
+  if (Number.isFinite(frequencies.errorTuned)) return frequencies.errorTuned;
+  const { name } = prepared.body;
+  const why =
+    frequencyStatus === 'noConvergence'
+      ? `no search for the modes of "${name}" converges`
+      : `"${name}" bends without resistance`;
   throw new SettingError(
     'maxFrequencyError',
-    `cannot be kept in ${settings.solver}, where "${prepared.body.name}" bends without resistance: take another solver.`,
+    `cannot be kept in ${settings.solver}, where ${why}: take another solver.`,
   );
 }
 

@@ -46,17 +46,31 @@ PartModesPair::PartModesPair(const PartPair& pair, const PartPins& pins, const T
       original_(vibrationOf(pair.original, masses.original, pins.original)),
       result_(vibrationOf(pair.result, masses.result, pins.result)) {}
 
+// Fewer zero eigenvalues than rigid motions are a search that has missed some.
+template <typename Find>
+EigenSolution PartModesPair::find(int rigidMotions, const Find& find) {
+  EigenSolution solution;
+  const bool hasConverged = converges([&] { solution = find(); });
+  const auto zeros = static_cast<int>(solution.nullity);
+  if (!hasConverged || zeros < rigidMotions)
+    status_ = FrequencyStatus::NoConvergence;
+  else
+    status_ = zeros > rigidMotions ? FrequencyStatus::NoResistance : FrequencyStatus::Found;
+  return solution;
+}
+
 void PartModesPair::solveResult(double scale, Job& job) {
   const std::vector<double> factors = ones(pair_->result);
   // Asked first, because no search converges to one of hundreds of motions without resistance.
-  isDefinite_ = result_.countNoise(factors, job) == 0;
-  if (!isDefinite_) return;
+  if (result_.countNoise(factors, job) > 0) {
+    status_ = FrequencyStatus::NoResistance;
+    return;
+  }
   const double rough = scale > 0 ? scale : result_.roughFirstEigenvalue(job);
-  EigenSolution solution;
-  isDefinite_ = converges([&] { solution = result_.solve(factors, count_ + kMargin, rough, job); }) &&
-                static_cast<int>(solution.nullity) == result_.rigidMotionCount() &&
-                solution.basis.modeCount() > 0;
-  modes_ = std::move(solution.basis);
+  modes_ = find(result_.rigidMotionCount(), [&] {
+             return result_.solve(factors, count_ + kMargin, rough, job);
+           }).basis;
+  if (isDefinite() && modes_.modeCount() == 0) status_ = FrequencyStatus::NoConvergence;
 }
 
 EigenSolution PartModesPair::originalModes(Job& job) const {
@@ -72,10 +86,8 @@ EigenSolution PartModesPair::originalModes(Job& job) const {
 }
 
 void PartModesPair::solveOriginal(Job& job) {
-  EigenSolution solution;
-  isDefinite_ = converges([&] { solution = originalModes(job); }) &&
-                static_cast<int>(solution.nullity) == original_.rigidMotionCount();
-  if (!isDefinite_) return;
+  const EigenSolution solution = find(original_.rigidMotionCount(), [&] { return originalModes(job); });
+  if (!isDefinite()) return;
   const ModeBasis& basis = solution.basis;
   const Eigen::Index count =
       std::min({basis.modeCount(), static_cast<Eigen::Index>(count_), modes_.modeCount()});
@@ -92,9 +104,13 @@ void PartModesPair::solveOriginal(Job& job) {
 void PartModesPair::follow(std::span<const double> factors, Job& job) {
   const std::vector<double> ofPart = pair_->result.constraintValues(factors);
   ModeBasis found;
-  const bool isFound = converges([&] { found = result_.follow(ofPart, modes_, count_, job); });
-  isDefinite_ = isFound && found.modeCount() >= wanted_.size();  // none has lost its resistance
-  if (!isDefinite_) return;
+  if (!converges([&] { found = result_.follow(ofPart, modes_, count_, job); }))
+    status_ = FrequencyStatus::NoConvergence;
+  else if (found.modeCount() < wanted_.size())
+    status_ = FrequencyStatus::NoResistance;
+  else
+    status_ = FrequencyStatus::Found;
+  if (!isDefinite()) return;
   modes_ = std::move(found);
   match();
 }
@@ -134,8 +150,9 @@ void ClampedModes::solve(const std::vector<double>& scales, Job& job) {
   wanted_.resize(std::min(wanted_.size(), count_));
 }
 
-bool ClampedModes::isDefinite() const {
-  return std::ranges::all_of(parts_, [](const PartModesPair& part) { return part.isDefinite(); });
+FrequencyStatus ClampedModes::status() const {
+  const auto lost = std::ranges::find_if_not(parts_, &PartModesPair::isDefinite);
+  return lost == parts_.end() ? FrequencyStatus::Found : lost->status();
 }
 
 void ClampedModes::follow(std::span<const double> factors, Job& job) {

@@ -27,7 +27,8 @@ class PartModesPair {
   void solveOriginal(Job& job);
   // Whether rigid motions alone meet no resistance on the result, and on the original, and their modes were
   // found: of the result for the factors of the last call.
-  bool isDefinite() const { return isDefinite_; }
+  bool isDefinite() const { return status_ == FrequencyStatus::Found; }
+  FrequencyStatus status() const { return status_; }
 
   // Modes of the result for other factors of its constraints, to about 1e-4 in eigenvalues. Where that leaves
   // it without enough of them, they stay as they were, so that they can be followed to better factors.
@@ -48,13 +49,16 @@ class PartModesPair {
 
  private:
   EigenSolution originalModes(Job& job) const;
+  // Sets the status by what `find` finds with rigid motions of that number.
+  template <typename Find>
+  EigenSolution find(int rigidMotions, const Find& find);
   void match();
 
   const PartPair* pair_;
   size_t pairIndex_;
   int count_;
   SolverVibration original_, result_;
-  bool isDefinite_ = true;
+  FrequencyStatus status_ = FrequencyStatus::Found;
   ModeBasis modes_;  // of the result, some more than wanted
   Eigen::VectorXd wanted_;
   Eigen::MatrixXd expected_;  // T^T M phi of the original: its inner products with shapes of the result
@@ -78,7 +82,9 @@ class ClampedModes {
   // Solves both bodies. `scales`: per part of the body a rough size of its first eigenvalue. Throws as
   // PartModesPair; stops early where the energy of a solver leaves motions without resistance.
   void solve(const std::vector<double>& scales, Job& job);
-  bool isDefinite() const;
+  bool isDefinite() const { return status() == FrequencyStatus::Found; }
+  // That of the first part whose modes are not found, if there is one.
+  FrequencyStatus status() const;
 
   // `factors`: per constraint of the result's body.
   void follow(std::span<const double> factors, Job& job);

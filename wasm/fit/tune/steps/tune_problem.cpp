@@ -90,8 +90,9 @@ TuneProblem::TuneProblem(const TuneSetup& setup, Job& job) : factors_(setup.cons
   }
 }
 
-bool TuneProblem::isDefinite() const {
-  return std::ranges::all_of(clampings_, [](const ClampedModes& modes) { return modes.isDefinite(); });
+FrequencyStatus TuneProblem::status() const {
+  const auto lost = std::ranges::find_if_not(clampings_, &ClampedModes::isDefinite);
+  return lost == clampings_.end() ? FrequencyStatus::Found : lost->status();
 }
 
 void TuneProblem::moveTo(const std::vector<double>& factors, Job& job) {

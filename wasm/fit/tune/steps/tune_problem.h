@@ -28,7 +28,8 @@ class TuneProblem {
 
   // Whether all motions but rigid ones meet resistance, and their modes were found. Of a problem that is not
   // definite nothing else is to be asked before it has moved to factors where it is.
-  bool isDefinite() const;
+  bool isDefinite() const { return status() == FrequencyStatus::Found; }
+  FrequencyStatus status() const;
 
   // Factors per constraint of the result's body, > 0: the fitted modes follow. Throws Cancelled.
   void moveTo(const std::vector<double>& factors, Job& job);

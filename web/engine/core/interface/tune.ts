@@ -42,6 +42,12 @@ export interface TuneOptions {
   runsTrial: boolean;
 }
 
+/**
+ * Whether a body has the frequencies that are tuned: motions other than rigid ones may meet no resistance in the solver, or no search
+ * for modes converges, which says nothing of how the body bends.
+ */
+export type FrequencyStatus = 'found' | 'noResistance' | 'noConvergence';
+
 /** Of the tuned parameters, kept or not; NaN where the body has no such modes, as a flat sheet of springs. */
 export interface TunedFrequencies {
   /** mean relative errors (%) of modes 1 to 10, free */
@@ -80,6 +86,7 @@ export interface Tuned {
   /** pairs (cross springs) or quadruples (hinges: the edge, then the corners opposite) of vertices */
   bendVertices: Uint32Array;
   frequencies: TunedFrequencies;
+  frequencyStatus: FrequencyStatus;
   /** null where `runsTrial` is false */
   motion: TunedMotion | null;
   /** why there is no `motion` although it was asked for, as a clause; else empty */
