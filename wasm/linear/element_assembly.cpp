@@ -78,7 +78,7 @@ std::span<const uint32_t> ElementAssembly::nodesOf(uint32_t element) const {
 // The offset of the block of node i within the columns of node j.
 uint32_t ElementAssembly::offsetOf(uint32_t i, uint32_t j) const {
   const auto first = neighbours_.begin() + start_[j], last = neighbours_.begin() + start_[j + 1];
-  return rowOffset_[static_cast<size_t>(std::find(first, last, i) - neighbours_.begin())];
+  return rowOffset_[static_cast<size_t>(std::lower_bound(first, last, i) - neighbours_.begin())];
 }
 
 void ElementAssembly::add(uint32_t element, const Eigen::Ref<const Eigen::MatrixXd>& matrix) {

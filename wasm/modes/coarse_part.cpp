@@ -84,6 +84,56 @@ Eigen::Matrix3d gradientAt(const std::vector<Vec3>& positions,
   return gradient;
 }
 
+// Finds closest points on the triangles around a vertex and its neighbours. Where one of these is the hub of
+// many triangles, they are searched by a tree: each of the vertices around it would look at all of them.
+class RingSearch {
+ public:
+  // Refers to its arguments. `rings`: the neighbours of each vertex, ascending.
+  RingSearch(const TriangleMesh& mesh, const Topology& topology,
+             const std::vector<std::vector<uint32_t>>& rings)
+      : mesh_(mesh), topology_(topology), rings_(rings) {
+    for (const auto& ring : rings) {
+      size_t triangles = 0;
+      for (uint32_t w : ring) triangles += topology.cornersAt(w).size();
+      isWide_.push_back(triangles > kFewTriangles);
+    }
+    if (std::ranges::count(isWide_, 1) > 0) tree_ = treeOver(mesh);
+  }
+
+  SurfacePoint closest(uint32_t centre, const Vec3& position) const {
+    SurfacePoint best{0, {1, 0, 0}};
+    double nearest = HUGE_VAL;
+    const auto visit = [&](uint32_t t) {
+      const ClosestPoint point = closestOnTriangle(mesh_, t, position);
+      if (point.distance >= nearest) return;
+      nearest = point.distance;
+      best = point;
+    };
+    for (uint32_t t : topology_.trianglesAround(centre)) visit(t);
+    if (isWide_[centre]) {
+      tree_.forEachWithin(position, nearest * nearest, [&](uint32_t t) {
+        if (std::ranges::any_of(mesh_.triangles[t],
+                                [&](uint32_t w) { return std::ranges::binary_search(rings_[centre], w); }))
+          visit(t);
+        return nearest * nearest;
+      });
+      return best;
+    }
+    for (uint32_t w : rings_[centre])
+      for (uint32_t t : topology_.trianglesAround(w)) visit(t);
+    return best;
+  }
+
+ private:
+  static constexpr size_t kFewTriangles = 512;  // looked at one by one; an even mesh has 36
+
+  const TriangleMesh& mesh_;
+  const Topology& topology_;
+  const std::vector<std::vector<uint32_t>>& rings_;
+  std::vector<uint8_t> isWide_;
+  BoundingTree tree_;
+};
+
 }  // namespace
 
 CoarsePart coarsen(const Part& original, uint32_t vertices, Job& job) {
@@ -123,20 +173,10 @@ Prolongation::Prolongation(const Part& original, const CoarsePart& coarse)
     ring_.insert(ring_.end(), ring.begin(), ring.end());
     ringStart_.push_back(static_cast<uint32_t>(ring_.size()));
   }
+  const RingSearch search(mesh, topology, rings);
   parallelFor(points_.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) {
-      const uint32_t centre = coarse.vertexOfInput[v];
-      double nearest = HUGE_VAL;
-      const auto visit = [&](uint32_t t) {
-        const ClosestPoint point = closestOnTriangle(mesh, t, original.mesh.positions[v]);
-        if (point.distance >= nearest) return;
-        nearest = point.distance;
-        points_[v] = point;
-      };
-      for (uint32_t t : topology.trianglesAround(centre)) visit(t);
-      for (uint32_t w : rings[centre])
-        for (uint32_t t : topology.trianglesAround(w)) visit(t);
-    }
+    for (size_t v = begin; v < end; ++v)
+      points_[v] = search.closest(coarse.vertexOfInput[v], original.mesh.positions[v]);
   });
 }
 
