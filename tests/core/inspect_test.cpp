@@ -34,6 +34,7 @@ TEST(Inspect, sumsTheGenusOverComponents) {
                                      shapes::together(shapes::sphere(1), shapes::grid(2, 2)));
   const Inspection found = inspect(mesh);
   EXPECT_EQ(found.components, 4u);
+  EXPECT_EQ(found.solidComponents, 3u);
   EXPECT_EQ(found.genus, 2);
   EXPECT_EQ(found.boundaryLoops, 1u);
 }
@@ -93,6 +94,13 @@ TEST(Inspect, givesAGenusToAnOrientableSurfaceWhateverItsWinding) {
   const Inspection found = inspect(torus);
   EXPECT_EQ(found.orientationClashes, 3u);
   EXPECT_EQ(found.genus, 1);
+}
+
+TEST(Inspect, findsNoSolidInAClosedComponentWithoutVolume) {
+  TriangleMesh flat = shapes::sphere(2);
+  EXPECT_EQ(inspect(flat).solidComponents, 1u);
+  for (Vec3& p : flat.positions) p.z = 0;
+  EXPECT_EQ(inspect(flat).solidComponents, 0u);
 }
 
 TEST(Inspect, hasZeroesForAnEmptyMesh) {

@@ -291,10 +291,7 @@ describe('a solver of the panel', () => {
 describe('what a body moves as by itself', () => {
   const closed = box(2, 2, 2);
   const open = grid(3, 3);
-  const modelOf = (mesh: TriangleMesh) => {
-    const prepared = prepareBody(core, bodyOf(mesh), settings);
-    return ownModelOf(prepared.mesh, prepared.inspection);
-  };
+  const modelOf = (mesh: TriangleMesh) => ownModelOf(prepareBody(core, bodyOf(mesh), settings).inspection);
 
   it.each([
     ['a closed body', closed, 'solid'],
@@ -314,5 +311,11 @@ describe('what a body moves as by itself', () => {
     const { positions, triangles } = closed;
     const fin = { positions, triangles: Uint32Array.from([...triangles, 0, 1, positions.length / 3 - 1]) };
     expect(modelOf(together(fin, closed))).toBe('both');
+  });
+
+  it('counts a closed part without volume as a shell, as the simulation does', () => {
+    const { positions } = closed;
+    const flat = { ...closed, positions: positions.map((x, i) => (i % 3 === 2 ? 0 : x)) };
+    expect(modelOf(together(flat, closed))).toBe('both');
   });
 });

@@ -16,8 +16,9 @@ template <>
 struct Fields<Inspection> {
   static constexpr auto list = std::tuple(
       field("vertices", &Inspection::vertices), field("faces", &Inspection::faces),
-      field("components", &Inspection::components), field("boundaryLoops", &Inspection::boundaryLoops),
-      field("genus", &Inspection::genus), field("eulerCharacteristic", &Inspection::eulerCharacteristic),
+      field("components", &Inspection::components), field("solidComponents", &Inspection::solidComponents),
+      field("boundaryLoops", &Inspection::boundaryLoops), field("genus", &Inspection::genus),
+      field("eulerCharacteristic", &Inspection::eulerCharacteristic),
       field("nonManifoldEdges", &Inspection::nonManifoldEdges),
       field("nonManifoldVertices", &Inspection::nonManifoldVertices),
       field("orientationClashes", &Inspection::orientationClashes));

@@ -128,6 +128,10 @@ std::vector<std::vector<uint32_t>> findContainers(std::vector<Crossing> crossing
 
 }  // namespace
 
+uint32_t countSolidComponents(const TriangleMesh& mesh, const Topology& topology) {
+  return static_cast<uint32_t>(std::ranges::count(measureShells(mesh, topology), true, &Shell::isClosed));
+}
+
 std::vector<uint32_t> solidHosts(const TriangleMesh& mesh, const Topology& topology) {
   const std::vector<Shell> shells = measureShells(mesh, topology);
   const auto containers = findContainers(crossingsAboveShells(mesh, topology, shells), shells);

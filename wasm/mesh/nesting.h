@@ -19,4 +19,7 @@ namespace limber {
 // each other.
 std::vector<uint32_t> solidHosts(const TriangleMesh& mesh, const Topology& topology);
 
+// How many components have a host there: those that bound a solid from outside or as a cavity. O(n).
+uint32_t countSolidComponents(const TriangleMesh& mesh, const Topology& topology);
+
 }  // namespace limber

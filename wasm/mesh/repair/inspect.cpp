@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/manifold.h"
+#include "mesh/nesting.h"
 #include "mesh/repair/orientation.h"
 #include "mesh/topology.h"
 
@@ -15,6 +16,7 @@ Inspection inspect(const TriangleMesh& mesh) {
   found.vertices = mesh.vertexCount();
   found.faces = mesh.triangleCount();
   found.components = topology.componentCount;
+  found.solidComponents = countSolidComponents(mesh, topology);
   found.boundaryLoops = countBoundaryLoops(mesh, topology);
   found.eulerCharacteristic =
       int64_t{found.vertices} - static_cast<int64_t>(topology.edges.size()) + int64_t{found.faces};

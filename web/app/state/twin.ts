@@ -68,7 +68,7 @@ export const keepsOwnStiffness = computed(() => usedTuning.value?.tuned.motion?.
 /** What the shown body can move as without a solver of the panel. */
 export const ownModel = computed<OwnModel>(() => {
   const { value: body } = results.body;
-  return body ? ownModelOf(body.mesh, body.inspection) : 'solid';
+  return body ? ownModelOf(body.inspection) : 'solid';
 });
 
 /** Whether original and result have an inside: cells of the same size in both. A calibrated body is a shell. */

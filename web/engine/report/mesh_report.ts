@@ -5,7 +5,7 @@ import type { Inspection } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
 
 /** The counts of the inspection are those of the welded mesh without degenerate faces, duplicate faces included. */
-export interface MeshReport extends Omit<Inspection, 'orientationClashes'> {
+export interface MeshReport extends Omit<Inspection, 'orientationClashes' | 'solidComponents'> {
   degenerateFaces: number;
   duplicateFaces: number;
   /** faces whose winding was reversed so that neighbours agree */

@@ -36,6 +36,8 @@ export interface Inspection {
   vertices: number;
   faces: number;
   components: number;
+  /** closed components with a volume: they move as solids by themselves, the others as shells */
+  solidComponents: number;
   boundaryLoops: number;
   /** summed over components; null if the mesh is non-manifold or not orientable */
   genus: number | null;
