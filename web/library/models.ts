@@ -4,6 +4,7 @@ import { Accessor, Format, Logger, PropertyType, WebIO } from '@gltf-transform/c
 import type { Document, Extension } from '@gltf-transform/core';
 import { replaceBodies } from '../engine/document/export';
 import { tangentGenerator } from '../engine/document/shading/tangents';
+import { rememberTargetNames } from '../engine/document/write/target_names';
 import { LimberError } from './options';
 import type { Model } from './options';
 import type { ModelFiles, OptimizeReply } from './protocol';
@@ -40,7 +41,9 @@ async function filesOfDocument(document: Document): Promise<ModelFiles> {
   const io = new WebIO()
     .setLogger(new Logger(Logger.Verbosity.SILENT))
     .registerExtensions(plain.map((extension) => extension.constructor as typeof Extension));
+  const putTargetNames = rememberTargetNames(document);
   const { json, resources } = await io.writeJSON(document, { format: Format.GLTF, basename: 'document' });
+  putTargetNames(json);
   // A document read from a folder can name places that no file of a model may name.
   const names = new Map(Object.keys(resources).map((address, i) => [address, `resource${i}`]));
   const inMemory = <One extends { uri?: string }>(all?: One[]): One[] | undefined =>

@@ -12,6 +12,7 @@ import type { LevelNodes } from './level_nodes';
 import { addLevels } from './level_nodes';
 import { addressOf, firstWithBytes, imageFiles, imageNames } from './shared_images';
 import type { Companion } from './shared_images';
+import { rememberTargetNames } from './target_names';
 
 /** What goes into the JSON besides what the document has. */
 export interface Additions {
@@ -40,6 +41,7 @@ export async function writeGlb(document: Document, additions: Additions): Promis
   const copies = textures.filter((texture) => firsts.has(texture) && firsts.get(texture) !== texture);
   // What has no bytes gets no view of its own.
   for (const texture of copies) texture.setImage(null as unknown as Uint8Array<ArrayBuffer>);
+  const putTargetNames = rememberTargetNames(document);
   const bytes = await (await createGltfWriter(document, additions.keepsCorners)).writeBinary(document);
   const json = JSON.parse(new TextDecoder().decode(glbParts({ name: '', bytes }).json)) as GLTF.IGLTF;
   textures.forEach((texture, i) => {
@@ -47,7 +49,8 @@ export async function writeGlb(document: Document, additions: Additions): Promis
       json.images![i].bufferView = json.images![textures.indexOf(firsts.get(texture)!)].bufferView;
     else if (!texture.getImage()) json.images![i].uri = texture.getURI();
   });
-  const isChanged = textures.some((texture) => !texture.getImage()) || hasAdditions(additions);
+  const isRenamed = putTargetNames(json);
+  const isChanged = isRenamed || textures.some((texture) => !texture.getImage()) || hasAdditions(additions);
   return isChanged ? withJson(bytes, withAdditions(json, additions)) : bytes;
 }
 
@@ -61,6 +64,7 @@ export async function writeGltf(
   const textures = document.getRoot().listTextures();
   const names = imageNames(document, stem);
   for (const [texture, own] of names) texture.setURI(own);
+  const putTargetNames = rememberTargetNames(document);
   const io = await createGltfWriter(document, additions.keepsCorners);
   const written = await io.writeJSON(document, { format: Format.GLTF, basename: stem });
   const buffers = written.json.buffers ?? [];
@@ -68,6 +72,7 @@ export async function writeGltf(
   textures.forEach((texture, i) => {
     written.json.images![i].uri = texture.getImage() ? addressOf(texture.getURI()) : texture.getURI();
   });
+  putTargetNames(written.json);
   const json = withAdditions(written.json, additions);
   const text = new TextEncoder().encode(JSON.stringify(json));
   const companions = Object.entries(written.resources).map(([own, bytes]) => ({ name: own, bytes }));
