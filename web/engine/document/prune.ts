@@ -136,7 +136,7 @@ const primitivesOf = (document: Document): Primitive[] =>
  * Disposes of the extension's properties that have no parent, until none is left. Variants stay: one that no primitive names shows the
  * materials that are there without any.
  */
-function disposeOrphans(extension: Extension): void {
+export function disposeOrphans(extension: Extension): void {
   const orphans = extension
     .listProperties()
     .filter((property) => property.listParents().length === 0 && !isVariant(property));

@@ -12,6 +12,7 @@ import { INSTANCING } from '../placements';
 import { hasQuantized } from '../prune';
 import { moreThanMesh, moveToChild } from './child_nodes';
 import { quantizeDifferences, takeOutUnmoving } from './quantized_targets';
+import { followThickness } from './thickness';
 
 /** How the vertices of a file are stored. */
 export interface Stored {
@@ -99,9 +100,11 @@ export async function compress(document: Document, request: CompressionRequest):
 async function quantizeAll(document: Document, { kind, keepsNodes }: CompressionRequest): Promise<void> {
   const { quantize } = await import('@gltf-transform/functions');
   const bits = POSITION_BITS[kind as keyof typeof POSITION_BITS];
-  // What stands beside positions of 16 bits has to be turned into floats, or all would have to move together.
-  for (const mesh of document.getRoot().listMeshes()) makePositionsAlike(mesh.listPrimitives());
-  if (!keepsNodes) giveOwnNodes(document);
+  if (!keepsNodes) {
+    // glTF-Transform moves nodes by the box of positions also where these are integers already, which it leaves or rounds.
+    for (const mesh of document.getRoot().listMeshes()) makePositionsFloat(mesh.listPrimitives());
+    giveOwnNodes(document);
+  }
   // Numbers of custom attributes can be of any size, such as masses in kg, which few bits would make 0.
   const pattern = keepsNodes ? /^(?!POSITION|_)/ : /^(?!_)/;
   const patternTargets = keepsNodes ? /^(?!)/ : /^POSITION$/;
@@ -111,6 +114,7 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
     .listMaterials()
     .filter((material) => !isUnused(material, document.getRoot()));
   const putBack = [takeOutUnplaced(document), takeOutUnmoving(document)];
+  if (!keepsNodes) putBack.push(followThickness(document));
   await document.transform(quantize({ pattern, patternTargets, quantizePosition: bits, cleanup: false }));
   for (const undo of putBack.reverse()) undo();
   // glTF-Transform declares it where positions are integers, and so not where they stay floats beside integers.
@@ -132,22 +136,34 @@ function takeOutUnplaced(document: Document): () => void {
   for (const mesh of taken)
     for (const primitive of mesh.listPrimitives())
       if (!primitive.getAttribute('POSITION')) mesh.removePrimitive(primitive);
-  return () =>
+  const empty = taken.filter((mesh) => mesh.listPrimitives().length === 0);
+  const endStandIns = empty.map((mesh) => addStandIn(document, mesh));
+  return () => {
+    for (const end of endStandIns) end();
     taken.forEach((mesh, i) => {
       for (const primitive of mesh.listPrimitives()) mesh.removePrimitive(primitive);
       for (const primitive of whole[i]) mesh.addPrimitive(primitive);
     });
+  };
 }
 
-/** Positions of one mesh are all integers, or all floats. */
-function makePositionsAlike(primitives: Primitive[]): void {
+/** Gives a mesh without primitives one whose box is that of the integers, so that its nodes stay, until the result is called. */
+function addStandIn(document: Document, mesh: Mesh): () => void {
+  const [buffer] = document.getRoot().listBuffers();
+  const corners = Float32Array.of(-1, -1, -1, 1, 1, 1);
+  const positions = document.createAccessor('', buffer).setType('VEC3').setArray(corners);
+  const primitive = document.createPrimitive().setAttribute('POSITION', positions);
+  mesh.addPrimitive(primitive);
+  return () => {
+    for (const one of [primitive.getAttribute('POSITION')!, positions, primitive]) one.dispose();
+  };
+}
+
+function makePositionsFloat(primitives: Primitive[]): void {
   const holders = primitives.flatMap((primitive) => [primitive, ...primitive.listTargets()]);
-  const accessors = new Set(
-    holders.map((holder) => holder.getAttribute('POSITION')).filter((one) => one !== null),
-  );
-  const isFloat = (accessor: Accessor) => accessor.getArray() instanceof Float32Array;
-  if ([...accessors].every((accessor) => !isFloat(accessor))) return;
-  for (const accessor of accessors) if (!isFloat(accessor)) makeFloat(accessor);
+  const accessors = new Set(holders.map((holder) => holder.getAttribute('POSITION')));
+  for (const accessor of accessors)
+    if (accessor && !(accessor.getArray() instanceof Float32Array)) makeFloat(accessor);
 }
 
 function makeFloat(accessor: Accessor): void {
