@@ -231,6 +231,34 @@ it('a texture without any image is left out with a note, also one that is transf
   expect((await open([{ source: 0 }, {}])).notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is not there/);
 });
 
+it('an image that is nowhere is no obstacle, and its texture is left out with a note', async () => {
+  const [{ bytes }, data] = triangleAt('data.bin', 'wood.png');
+  const json = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
+  const open = (changes: object) =>
+    openModel([textFile('test.gltf', JSON.stringify({ ...json, ...changes })), data]);
+  const written = async (model: OpenModel) => {
+    const result = await exportGlb(model, [null], { fields: false });
+    return { errors: (await validateGlb(result)).errors, images: jsonOf(result).images };
+  };
+  const materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
+  for (const image of [{}, { name: 'a' }, { uri: '' }, { mimeType: 'image/png' }]) {
+    const used = await open({ materials, images: [image], textures: [{ source: 0 }] });
+    expect(used.notes.at(-1)).toBe('1 texture has no image that can be read: the result is without it');
+    expect(await written(used)).toEqual({ errors: 0, images: undefined });
+    const unused = await open({ materials, images: [image, { uri: 'wood.png' }], textures: [{ source: 1 }] });
+    expect(unused.notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is not there/);
+    expect(await written(unused)).toMatchObject({ images: [{ uri: 'wood.png' }] });
+  }
+  const webp = await open({
+    ...{ materials, images: [{}, { uri: 'wood.webp' }], extensionsUsed: ['EXT_texture_webp'] },
+    textures: [{ source: 0, extensions: { EXT_texture_webp: { source: 1 } } }],
+  });
+  expect(webp.document.getRoot().listMaterials()[0].getBaseColorTexture()!.getURI()).toBe('wood.webp');
+  // Numbers of images stay where an extension may refer to them.
+  const foreign = await open({ materials, images: [{ name: 'a' }], extensionsUsed: ['MY_image'] });
+  expect((await written(foreign)).images).toEqual([{ name: 'a' }]);
+});
+
 it('data in an address are read in base64, in any case, and as escaped bytes', async () => {
   const [{ bytes }, data] = triangleAt('data.bin', 'wood.png');
   const text = new TextDecoder().decode(bytes);

@@ -2,15 +2,23 @@
 
 import type { GLTF } from '@gltf-transform/core';
 import { counted } from '../../core/words';
-import { hasImage } from '../extensions/foreign';
+import { hasImage, imageOf } from '../extensions/foreign';
 
-/** The JSON whose materials name no texture without an image, as the reader expects, and a note on those that they named. */
+/**
+ * The JSON whose materials name no texture without an image, as the reader expects, and a note on those that they named. Images that are
+ * nowhere, neither in a file nor in a view, get an empty address, which the reader takes for an image without bytes.
+ */
 export function withoutImageless(json: GLTF.IGLTF): { json: GLTF.IGLTF; notes: string[] } {
-  const isImageless = (json.textures ?? []).map((texture) => !hasImage(texture));
-  if (!json.materials || !isImageless.includes(true)) return { json, notes: [] };
+  const isNowhere = (json.images ?? []).map(({ uri, bufferView }) => !uri && bufferView === undefined);
+  const images = json.images?.map((image, i) => (isNowhere[i] ? { ...image, uri: '' } : image));
+  const given = isNowhere.includes(true) ? { ...json, images } : json;
+  const isImageless = (json.textures ?? []).map(
+    (texture) => !hasImage(texture) || isNowhere[imageOf(texture) ?? -1] === true,
+  );
+  if (!json.materials || !isImageless.includes(true)) return { json: given, notes: [] };
   const named = new Set<number>();
   const materials = json.materials.map((material) => without(material, isImageless, named));
-  return { json: { ...json, materials }, notes: describe(named.size) };
+  return { json: { ...given, materials }, notes: describe(named.size) };
 }
 
 /** A copy of a value in which objects such as "normalTexture": { "index": 3 } are left out where texture 3 has no image. */

@@ -77,6 +77,12 @@ function obstacleTo(path: (string | number)[], holder: Json, value: unknown): st
 export const hasImage = ({ source, extensions }: GLTF.ITexture): boolean =>
   source !== undefined || Object.keys(extensions ?? {}).some((name) => !isForeign(name));
 
+/** The number of the image that the reader takes: that of an extension that it knows comes first. */
+export function imageOf({ source, extensions }: GLTF.ITexture): number | undefined {
+  const known = Object.entries(extensions ?? {}).filter(([name]) => !isForeign(name));
+  return known.map(([, own]) => (own as { source?: number } | null)?.source).find(Number.isInteger) ?? source;
+}
+
 /** The first key that names accessors and the like by number; null without one. */
 function dataKeyIn(value: unknown): string | null {
   if (!isObject(value)) return null;

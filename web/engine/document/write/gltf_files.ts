@@ -1,6 +1,6 @@
 /** Writes a document as GLB, or as glTF with a buffer and images beside it. */
 
-import type { Document, GLTF } from '@gltf-transform/core';
+import type { Document, GLTF, Texture } from '@gltf-transform/core';
 import { Format } from '@gltf-transform/core';
 import { carryForeign } from '../extensions/carry_foreign';
 import type { Foreign } from '../extensions/foreign';
@@ -47,11 +47,16 @@ export async function writeGlb(document: Document, additions: Additions): Promis
   textures.forEach((texture, i) => {
     if (copies.includes(texture))
       json.images![i].bufferView = json.images![textures.indexOf(firsts.get(texture)!)].bufferView;
-    else if (!texture.getImage()) json.images![i].uri = texture.getURI();
+    else if (!texture.getImage()) nameMissing(json.images![i], texture);
   });
   const isRenamed = putTargetNames(json);
   const isChanged = isRenamed || textures.some((texture) => !texture.getImage()) || hasAdditions(additions);
   return isChanged ? withJson(bytes, withAdditions(json, additions)) : bytes;
+}
+
+/** An image whose bytes were not there stays a reference, and one that was nowhere stays so. */
+function nameMissing(image: GLTF.IImage, texture: Texture): void {
+  if (texture.getURI() !== '') image.uri = texture.getURI();
 }
 
 /** `name`.gltf, its buffer `stem`.bin and its images, those with addresses of their own under these. */
@@ -70,7 +75,9 @@ export async function writeGltf(
   const buffers = written.json.buffers ?? [];
   for (const buffer of buffers) if (buffer.uri !== undefined) buffer.uri = addressOf(buffer.uri);
   textures.forEach((texture, i) => {
-    written.json.images![i].uri = texture.getImage() ? addressOf(texture.getURI()) : texture.getURI();
+    const image = written.json.images![i];
+    if (texture.getImage()) image.uri = addressOf(texture.getURI());
+    else nameMissing(image, texture);
   });
   putTargetNames(written.json);
   const json = withAdditions(written.json, additions);
