@@ -6,10 +6,11 @@ import type { LastMembers } from '../core/alike';
 import { NONE } from '../core/core';
 import type { Charts, CornerSources, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
+import { spanOf } from '../document/spans';
 import { cosinesOf, endsOf, innerEdgesOf, hardCosineOf } from './hard_edges';
 import { JoinedClasses } from './joined_classes';
 import type { Classes } from './joined_classes';
-import { findLayers, layerCount, layersAt, spanOf } from './layers';
+import { findLayers, layerCount, layersAt } from './layers';
 import type { Layers } from './layers';
 import { vertexCount } from '../core/mesh';
 

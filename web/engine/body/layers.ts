@@ -3,6 +3,7 @@
 import { NONE } from '../core/core';
 import type { CornerSources, History, MeshAt, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
+import { spanOf } from '../document/spans';
 
 /** One face of the body on a triangle of the welded mesh. */
 export interface Layer {
@@ -161,13 +162,6 @@ function layerLike(layers: readonly Layer[], wanted: Layer, body: Body): Layer |
 }
 
 const isEven = (corners: readonly number[]): boolean => (corners[1] - corners[0] + 3) % 3 === 1;
-
-/** The number of the span that a triangle of the body belongs to. */
-export function spanOf({ spans }: Body, triangle: number): number {
-  let span = spans.length - 1;
-  while (spans[span].first > triangle) --span;
-  return span;
-}
 
 /** Per number of collapses in `ends`, ascending: the faces with all their layers that are left of the welded mesh. */
 export function writtenFaces(

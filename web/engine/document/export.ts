@@ -15,6 +15,7 @@ import type { GenerateTangents } from './shading/tangents';
 import type { ResultNormals } from './shading/normals';
 import { disposeUnused, dropMorphing, dropUncarried, normaliseWeights } from './prune';
 import { addSwings } from './shapes';
+import { spanOf } from './spans';
 import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
 import { likeStored } from './write/stored_values';
@@ -240,13 +241,9 @@ function indicesOfSpan({ spans, indices }: Body, i: number): Uint32Array {
 }
 
 /** Per span of the body: the triangles of the new mesh that come from it, ascending. */
-function shareOut({ spans }: Body, inputOfTriangle: Uint32Array): Uint32Array[] {
-  const shares = spans.map(() => new GrowingIndices());
-  inputOfTriangle.forEach((source, t) => {
-    let span = spans.length - 1;
-    while (spans[span].first > source) --span;
-    shares[span].push(t);
-  });
+function shareOut(body: Body, inputOfTriangle: Uint32Array): Uint32Array[] {
+  const shares = body.spans.map(() => new GrowingIndices());
+  inputOfTriangle.forEach((source, t) => shares[spanOf(body, source)].push(t));
   return shares.map((share) => share.finish());
 }
 
