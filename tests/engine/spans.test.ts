@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { spanOf } from '../../web/engine/document/spans';
+import { spanOf } from '../../web/engine/document/facts/spans';
 
 const bodyOf = (firsts: number[]) => ({
   spans: firsts.map((first, primitive) => ({ primitive, first, firstVertex: 0 })),

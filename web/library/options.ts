@@ -30,6 +30,8 @@ export interface OptimizeOptions extends CommonOptions {
   fields?: boolean;
   /** find where each original vertex lies on the result; `binding` of the result has it */
   bind?: boolean;
+  /** whether the Khronos validator checks the files that are made, true by default; notes tell errors that the model has not */
+  validate?: boolean;
 }
 
 export interface TuneOptions extends CommonOptions {

@@ -6,7 +6,7 @@ import type { LastMembers } from '../core/alike';
 import { NONE } from '../core/core';
 import type { Charts, CornerSources, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
-import { spanOf } from '../document/spans';
+import { spanOf } from '../document/facts/spans';
 import { cosinesOf, endsOf, innerEdgesOf, hardCosineOf } from './hard_edges';
 import { JoinedClasses } from './joined_classes';
 import type { Classes } from './joined_classes';

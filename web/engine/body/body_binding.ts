@@ -4,7 +4,7 @@ import type { Binding, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { faceCount } from '../core/mesh';
 import type { Body } from '../document/model';
-import { spanOf } from '../document/spans';
+import { spanOf } from '../document/facts/spans';
 import type { PreparedBody } from './prepared_body';
 
 /** The vertices of one body, numbered as in the original file, on the triangles of its result, numbered as in the written file. */

@@ -3,7 +3,7 @@
 import { NONE } from '../core/core';
 import type { CornerSources, History, MeshAt, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
-import { spanOf } from '../document/spans';
+import { spanOf } from '../document/facts/spans';
 
 /** One face of the body on a triangle of the welded mesh. */
 export interface Layer {

@@ -15,7 +15,7 @@ import type { GenerateTangents } from './shading/tangents';
 import type { ResultNormals } from './shading/normals';
 import { disposeUnused, dropMorphing, dropUncarried, normaliseWeights } from './prune';
 import { addSwings } from './shapes';
-import { spanOf } from './spans';
+import { spanOf } from './facts/spans';
 import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
 import { likeStored } from './write/stored_values';

@@ -1,5 +1,6 @@
 /** The Khronos validator, loaded when it is first needed. */
 
+import { sum } from '../core/mesh';
 import { unpacked } from './archive/read_zip';
 import { companionPath } from './checks/companions';
 import { isGlb } from './glb';
@@ -24,13 +25,17 @@ const WARNING = 1;
 
 export const validateGlb = (bytes: Uint8Array): Promise<Validation> => validate(bytes, 'glb', []);
 
-/** The first of the files, which is a GLB, a glTF with the others beside it, or a ZIP of these; null for other formats. */
+/** The GLB among the files, or the glTF with the others beside it, also in a ZIP; null for other formats. */
 export async function validateFiles(files: SourceFile[]): Promise<Validation | null> {
   const all = unpacked(files);
-  const main = all.find(({ name }) => /\.gl(b|tf)$/i.test(name));
+  const main = all.find(({ name, bytes }) => isGlb(bytes) || /\.gl(b|tf)$/i.test(name)) ?? namelessGltf(all);
   if (!main) return null;
   return validate(main.bytes, isGlb(main.bytes) ? 'glb' : 'gltf', all);
 }
+
+/** The name of a result may have no ending; its first file is the model. */
+const namelessGltf = ([first]: SourceFile[]): SourceFile | null =>
+  first && first.bytes[0] === '{'.charCodeAt(0) ? first : null;
 
 /** The errors of `result`, each with its code, of which `input` has fewer; all of them where there is no input to compare with. */
 export function addedErrors(result: Validation, input: Validation | null): string[] {
@@ -44,6 +49,33 @@ export function addedErrors(result: Validation, input: Validation | null): strin
     return left <= 0;
   });
 }
+
+/** Larger files are not checked: the validator takes some 60 ms for a megabyte, and several times the file in memory. */
+const MOST_BYTES = 64 * 2 ** 20;
+/** At most so many errors are told. */
+const ERRORS_SHOWN = 3;
+
+/**
+ * The errors that the validator finds in a result and not in its source, in words; null where there is none, where the files are large,
+ * and for formats other than glTF.
+ */
+export async function describeAddedErrors(
+  result: SourceFile[],
+  source: SourceFile[],
+): Promise<string | null> {
+  if (sizeOf(result) > MOST_BYTES) return null;
+  const found = await validateFiles(result);
+  if (!found || found.errors === 0) return null;
+  const before = sizeOf(source) > MOST_BYTES ? null : await validateFiles(source);
+  const added = addedErrors(found, before);
+  if (added.length === 0) return null;
+  const shown = added.slice(0, ERRORS_SHOWN).map((message) => message.replace(/\.$/, ''));
+  const more =
+    added.length > ERRORS_SHOWN ? `; and ${(added.length - ERRORS_SHOWN).toLocaleString('en-US')} more` : '';
+  return `${shown.join('; ')}${more}`;
+}
+
+const sizeOf = (files: SourceFile[]): number => sum(files.map(({ bytes }) => bytes.length));
 
 const importValidator = () => import('gltf-validator');
 

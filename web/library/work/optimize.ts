@@ -1,6 +1,7 @@
 /** Optimizes a model. */
 
 import { describeResiduals } from '../../engine/body/health';
+import { describeAddedErrors, loadValidator } from '../../engine/document/validate';
 import { settingsAsUsed } from '../../engine/report/report';
 import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
@@ -45,6 +46,8 @@ export async function optimizeModel(
 ): Promise<OptimizeReply> {
   const { settings, notes } = session;
   checkLevels(settings, options);
+  const { fields = false, bind: binding = false, validate = true } = options;
+  if (validate) loadValidator();
   const model = await session.open(source);
   const load = session.lap();
   const { lost } = checkWritten(model, session.chosen(model), { name: NAME, settings });
@@ -52,7 +55,6 @@ export async function optimizeModel(
   const weld = session.lap();
   const asked = askedOf(session, options);
   const target = faceTarget(asked);
-  const { fields = false, bind: binding = false } = options;
   const request = requestFile(file, { settings, fields, binding, isOnly: true, ...target });
   const output = new FileOutput(file, request);
   output.compute((run, own) => session.warn(resultWarnings(run, own)));
@@ -64,6 +66,7 @@ export async function optimizeModel(
   if (lost.length > 0) notes.push(`the result leaves out ${lost.join(', ')}`);
   const exportTime = session.lap();
   const { levels, stopped } = await furtherLevels(output);
+  if (validate) notes.push(...(await addedErrors({ files, levels }, source)));
   const levelsTime = session.lap();
   const report = output.report(
     optionsAsUsed(session, options, target),
@@ -83,6 +86,25 @@ export async function optimizeModel(
   };
 }
 
+/** What the validator finds in the files of a result, and not in those of its source, as notes. */
+async function addedErrors(
+  { files, levels }: Pick<OptimizeReply, 'files' | 'levels'>,
+  source: ModelFiles,
+): Promise<string[]> {
+  const made = [
+    { name: 'the result', all: files },
+    ...levels.map((level, i) => ({ name: levelName(i), all: level.files })),
+  ];
+  const notes: string[] = [];
+  for (const { name, all } of made) {
+    const errors = await describeAddedErrors(all, source);
+    if (errors !== null) notes.push(`the glTF validator finds in ${name} what the model has not: ${errors}`);
+  }
+  return notes;
+}
+
+const levelName = (number: number): string => `lod${number + 1}`;
+
 /** The report with the memory as it is at the end. */
 export const finished = ({ core }: WorkSession, report: Report): Report => ({
   ...report,
@@ -101,7 +123,7 @@ async function furtherLevels(output: FileOutput): Promise<{ levels: Level[]; sto
   const [levels, stopped]: [Level[], StoppedLevel[]] = [[], []];
   for (let i = 0; i < output.levelCount; ++i) {
     const { files, bodies, report } = await output.level(i, NAME);
-    const file = `lod${i + 1}`;
+    const file = levelName(i);
     levels.push({ glb: files[0]?.bytes ?? null, files, report: { file, ...report } });
     stopped.push({ file, bodies });
   }

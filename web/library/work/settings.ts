@@ -11,7 +11,7 @@ import type { Command, SettingName, Settings } from '../../engine/settings/optio
 
 /** What calls take besides settings. */
 const OTHER_OPTIONS: Record<Command, readonly string[]> = {
-  optimize: ['faces', 'ratio', 'fields', 'bind', 'wantsBodies'],
+  optimize: ['faces', 'ratio', 'fields', 'bind', 'validate', 'wantsBodies'],
   tune: [],
   modes: ['writesShapes'],
   compare: [],

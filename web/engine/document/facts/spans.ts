@@ -1,6 +1,6 @@
 /** Which triangles of a body come from which primitive of its mesh. */
 
-import type { Body } from './model';
+import type { Body } from '../model';
 
 /** The number of the span that a triangle of the body lies in: the last one that begins at or before it. */
 export function spanOf({ spans }: Pick<Body, 'spans'>, triangle: number): number {
