@@ -1,9 +1,9 @@
 /** Grey pictures as PNG (ISO/IEC 15948): the signature, the header, the pixels without filters, the end. */
 
 import { zlibSync } from 'fflate';
+import { PNG_MARK } from '../../../engine/document/formats/png_mark';
 import type { Picture } from './raster';
 
-const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 const GREY_OF_8_BITS = [8, 0, 0, 0, 0];
 
 export function encodePng({ width, height, pixels }: Picture): Uint8Array {
@@ -11,7 +11,7 @@ export function encodePng({ width, height, pixels }: Picture): Uint8Array {
   // Every row starts with its filter, which is none.
   for (let y = 0; y < height; ++y) rows.set(pixels.subarray(y * width, (y + 1) * width), y * (width + 1) + 1);
   return new Uint8Array([
-    ...SIGNATURE,
+    ...PNG_MARK,
     ...chunk('IHDR', new Uint8Array([...bytesOf(width), ...bytesOf(height), ...GREY_OF_8_BITS])),
     ...chunk('IDAT', zlibSync(rows, { level: 9 })),
     ...chunk('IEND', new Uint8Array(0)),

@@ -5,12 +5,12 @@ import type { Document, Texture } from '@gltf-transform/core';
 import { KHRTextureTransform } from '@gltf-transform/extensions';
 import { addressOf } from '../../write/shared_images';
 import type { SourceFile } from '../../model';
+import { PNG_MARK } from '../png_mark';
 import { picturePaths } from './companion_paths';
 import type { LeftOut } from './left_out';
 import type { MtlMap } from './mtl_map';
 import type { NamedFiles } from './named_files';
 
-const PNG_MARK = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 const JPEG_MARK = [0xff, 0xd8, 0xff];
 /** Mark and first chunk of a PNG. */
 const PNG_HEADER_BYTES = 33;
@@ -76,7 +76,8 @@ function mimeTypeOf(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
   return startsWith(bytes, JPEG_MARK) ? 'image/jpeg' : null;
 }
 
-const startsWith = (bytes: Uint8Array, mark: number[]): boolean => mark.every((byte, i) => bytes[i] === byte);
+const startsWith = (bytes: Uint8Array, mark: readonly number[]): boolean =>
+  mark.every((byte, i) => bytes[i] === byte);
 
 /** Whether it is a PNG with an alpha channel, or with a list of colours of which some are transparent. */
 export function hasAlpha(texture: Texture): boolean {
