@@ -8,6 +8,7 @@ import { glbParts, withJson } from '../glb';
 import { createGltfWriter, INDICES_MODE, MESHOPT, RATIFIED_MESHOPT, TRIANGLES_MODE } from '../gltf_io';
 import type { SourceFile } from '../model';
 import { renameExtension } from './compression';
+import { sortImages } from './image_order';
 import type { LevelNodes } from './level_nodes';
 import { addLevels } from './level_nodes';
 import { addressOf, firstWithBytes, imageFiles, imageNames } from './shared_images';
@@ -42,8 +43,11 @@ export async function writeGlb(document: Document, additions: Additions): Promis
   // What has no bytes gets no view of its own.
   for (const texture of copies) texture.setImage(null as unknown as Uint8Array<ArrayBuffer>);
   const putTargetNames = rememberTargetNames(document);
-  const bytes = await (await createGltfWriter(document, additions.keepsCorners)).writeBinary(document);
+  const io = await createGltfWriter(document, additions.keepsCorners);
+  const putImages = sortImages(io, document);
+  const bytes = await io.writeBinary(document);
   const json = JSON.parse(new TextDecoder().decode(glbParts({ name: '', bytes }).json)) as GLTF.IGLTF;
+  putImages(json);
   textures.forEach((texture, i) => {
     if (copies.includes(texture))
       json.images![i].bufferView = json.images![textures.indexOf(firsts.get(texture)!)].bufferView;
