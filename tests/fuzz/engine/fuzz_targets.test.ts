@@ -9,7 +9,7 @@ import { problemOfRefusal } from './refusal';
 import { SETTINGS_FILE } from './settings';
 
 const NAMES = [
-  ...['obj', 'ply', 'binary ply', 'stl', 'binary stl', 'off', 'zip', 'gltf', 'glb bytes', 'glb json'],
+  ...['obj', 'ply', 'binary ply', 'stl', 'binary stl', 'off', 'mtl', 'zip', 'gltf', 'glb bytes', 'glb json'],
   ...['compressed glb bytes', 'compressed glb json'],
   ...['options', 'command lines', 'settings files', 'engine files', 'patterns', 'paint'],
   ...['batch configurations', 'patterns of paths', 'links', 'saved state', 'bindings', 'optimize'],

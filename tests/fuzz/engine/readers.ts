@@ -2,8 +2,10 @@
 
 import { Document } from '@gltf-transform/core';
 import { zipSync } from 'fflate';
+import { PNG_MARK } from '../../../web/engine/document/formats/png_mark';
 import type { SourceFile } from '../../../web/engine/document/model';
 import { openAnyModel, openModel } from '../../../web/engine/document/open';
+import { validateFiles } from '../../../web/engine/document/validate';
 import { exportFiles } from '../../../web/engine/document/write/export_files';
 import { formOfName } from '../../../web/engine/document/write/output_form';
 import { addMesh, addRichMesh, glbFile, primitiveOf, startDocument } from '../../engine/support/gltf';
@@ -12,6 +14,13 @@ import { cube, grid, toObj } from '../../engine/support/shapes';
 import type { Choices } from './choices';
 import type { FuzzTarget } from './fuzz_target';
 import { mutateFile, mutateGlbJson, mutateJson, mutateText, partsOfGlb } from './mutate';
+
+/** Of one white pixel, without its pixels: mark, header with colour type 6, end. */
+const PNG = [
+  ...[...PNG_MARK, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52, 0, 0, 0, 1],
+  ...[0, 0, 0, 1, 8, 6, 0, 0, 0, 0x1f, 0x15, 0xc4, 0x89, 0, 0, 0, 0, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42],
+  ...[0x60, 0x82],
+];
 
 const encode = (text: string) => new TextEncoder().encode(text);
 
@@ -150,6 +159,48 @@ const zip: FuzzTarget = {
   },
 };
 
+const TEXTURED_OBJ = [
+  ...['mtllib a.mtl', 'v 0 0 0', 'v 1 0 0', 'v 0 1 0', 'v 0 0 1', 'vt 0 0', 'vt 1 0', 'vt 0 1'],
+  ...['usemtl red', 'f 1/1 2/2 3/3', 'usemtl steel', 'f 1/1 3/2 4/3', 'usemtl plain', 'f 1 2 4', ''],
+].join('\n');
+
+const MTL = [
+  ...['newmtl red', 'Kd 0.8 0.2 0.1', 'Ks 0.5 0.5 0.5', 'Ns 250', 'd 0.5', 'Tr 0.5', 'illum 2'],
+  ...['map_Kd -s 2 2 1 -o 0.5 0 0 -clamp on a.png', 'map_d a.png', 'bump -bm 0.5 a_normal.jpg'],
+  ...['newmtl steel', 'Pr 0.2', 'Pm 1', 'Ke 2 1 0', 'map_Ke a.jpg', 'norm -bm 2 b/a.png'],
+  ...['map_Pr a.png', 'map_Pm a.png', 'newmtl plain', 'Kd 1 1 1', 'map_Kd "a b.png"', ''],
+].join('\n');
+
+/** Beginnings of pictures, of which no reader looks at more. */
+const PICTURES: SourceFile[] = [
+  ...['a.png', 'b/a.png', 'a b.png'].map((name) => ({ name, bytes: Uint8Array.from(PNG) })),
+  ...['a.jpg', 'a_normal.jpg'].map((name) => ({ name, bytes: Uint8Array.of(0xff, 0xd8, 0xff, 0xe0) })),
+];
+
+/** A material library and a picture of it, of which either is changed; whatever they say, the result is valid. */
+const mtl: FuzzTarget = {
+  name: 'mtl',
+  run: async (choices) => {
+    const pictures = PICTURES.map((one) =>
+      choices.chance(0.1) ? { ...one, bytes: mutateFile(one.bytes, choices, false) } : one,
+    );
+    const model = await openAnyModel([
+      { name: 'a.obj', bytes: encode(TEXTURED_OBJ) },
+      { name: 'a.mtl', bytes: mutateFile(encode(MTL), choices, true) },
+      ...pictures.filter(() => choices.chance(0.9)),
+    ]);
+    const files = await exportFiles(model, [null], {
+      name: 'a.glb',
+      form: formOfName('a.glb', model.format)!,
+      manner: { compression: 'none', style: 'files', keepsOrder: false },
+      fields: false,
+    });
+    const { messages = [], errors = 0 } = (await validateFiles(files)) ?? {};
+    const own = messages.slice(0, errors).filter((message) => !message.startsWith('IMAGE_'));
+    if (own.length > 0) throw new TypeError(`The result is not valid: ${own[0]}`);
+  },
+};
+
 const asText: Change = (bytes, choices) => mutateFile(bytes, choices, true);
 const asBytes: Change = (bytes, choices) => mutateFile(bytes, choices, false);
 
@@ -163,6 +214,7 @@ export async function readers(): Promise<FuzzTarget[]> {
     reader('stl', 'stl', [encode(STL)], asText),
     reader('binary stl', 'stl', [binaryStl()], asBytes),
     reader('off', 'off', [encode(OFF)], asText),
+    mtl,
     zip,
     gltfFiles(seeds),
     reader('glb bytes', 'glb', seeds, asBytes),
