@@ -195,4 +195,14 @@ export const BENCHES = [
     quick: ['everything', 'Fox'],
     write: ['--write'],
   },
+  {
+    name: 'morphs',
+    measures: 'distances with morph targets at full weight',
+    script: 'tests/bench/morphs.mjs',
+    document: 'docs/pictures.md',
+    peers: 'limber without its targets',
+    words: [],
+    quick: ['spot'],
+    write: ['--write'],
+  },
 ];
