@@ -3,7 +3,7 @@
 import { existsSync } from 'node:fs';
 import { excerpt, quotedJson } from '../engine/core/words';
 import { UsageError } from './failure';
-import { readText } from './files';
+import { readText } from './input_files/read_file';
 
 /** The file that a value of --engine names; null where it has the parameters themselves, or there is none. */
 export const fileOfEngine = (value: string | undefined): string | null =>

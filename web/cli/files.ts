@@ -1,21 +1,12 @@
 /** Files of the command line: a model with its companions in, whole files out. */
 
-import {
-  chmodSync,
-  existsSync,
-  readFileSync,
-  realpathSync,
-  renameSync,
-  rmSync,
-  statSync,
-  writeFileSync,
-} from 'node:fs';
+import { chmodSync, existsSync, realpathSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { companionNames } from '../engine/document/gltf';
 import type { SourceFile } from '../engine/document/open';
-import { UsageError } from './failure';
 import { fileError } from './file_error';
-import { objCompanions } from './obj_companions';
+import { readBytes } from './input_files/read_file';
+import { objCompanions } from './input_files/obj_companions';
 import { followLinks, isSpecial, isWithin } from './output_files/identity';
 import { readStandard, STANDARD } from './standard';
 
@@ -62,18 +53,6 @@ export function pathsNamedBy(path: string): string[] {
   const main = { name: basename(path), bytes: readBytes(path) };
   const ofGltf = companionNames(main).map((name) => join(dirname(path), name));
   return [...ofGltf, ...objCompanions(path, main, [dirname(path)]).named];
-}
-
-/** Throws UsageError. */
-export const readText = (path: string): string => new TextDecoder().decode(readBytes(path));
-
-function readBytes(path: string): Uint8Array {
-  try {
-    if (statSync(path).isDirectory()) throw new UsageError(`${path} is a folder: name the model file in it.`);
-    return new Uint8Array(readFileSync(path));
-  } catch (error) {
-    throw fileError(`${path} cannot be read`, error);
-  }
 }
 
 /** Letters of a name that its partial file keeps: a name can be as long as the system allows. */

@@ -3,6 +3,7 @@
 import { VERSION } from '../engine/core/version';
 import { parseArguments } from './arguments';
 import type { Arguments } from './arguments';
+import { startCore } from './core_start';
 import { describeFailure, EXIT } from './failure';
 import { fileError } from './file_error';
 import type { Command } from './flags';
@@ -21,6 +22,12 @@ const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
 
 const dryRun = async (args: Arguments): Promise<number> =>
   args.command === 'batch' ? RUN.batch(args) : (await import('./dry_run')).runDry(args);
+
+function run(args: Arguments): Promise<number> {
+  // The processes of a batch have cores of their own.
+  if (args.command !== 'batch') startCore(args);
+  return RUN[args.command](args);
+}
 
 /** Returns when the command has ended; the program ends once its output is written. */
 export async function startProgram(words: string[]): Promise<void> {
@@ -41,7 +48,7 @@ export function endWithoutOutput(error: NodeJS.ErrnoException): void {
 async function runWords(words: string[]): Promise<number> {
   if (words[0] === 'completion') return (await import('./shell/completion')).runCompletion(words.slice(1));
   const parsed = parseArguments(words);
-  if (!('show' in parsed)) return parsed.dryRun ? dryRun(parsed) : RUN[parsed.command](parsed);
+  if (!('show' in parsed)) return parsed.dryRun ? dryRun(parsed) : run(parsed);
   const text = parsed.show === 'version' ? VERSION : (await import('./help')).helpText(parsed.command);
   process.stdout.write(`${text}\n`);
   // Help without being asked for it means that something was missing.

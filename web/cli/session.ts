@@ -1,8 +1,6 @@
 /** What every command needs: the loaded core, the opened files, progress and warnings. */
 
-import { existsSync, readdirSync } from 'node:fs';
-import type { Core, Progress } from '../engine/core/core';
-import { loadCore } from '../engine/core/load_core';
+import type { Core } from '../engine/core/core';
 import { openAnyModel, openModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
@@ -11,13 +9,14 @@ import { FileRun } from '../engine/stages/file_run';
 import { preparedWarnings } from '../engine/stages/file_warnings';
 import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
+import { takeCore } from './core_start';
 import { describeFailure, inFlags, UsageError } from './failure';
 import { writeWhole } from './files';
 import { checkFiles } from './inputs';
 import type { CheckedFiles } from './inputs';
 import { checkRoom, sizeOfModel } from './output_files/outputs';
 import { shownOutput, STANDARD } from './standard';
-import { canRedraw, clearProgress, showProgress } from './terminal';
+import { clearProgress, showProgress } from './terminal';
 import { warningLines } from './warnings';
 import { count, plain } from './words';
 
@@ -47,36 +46,8 @@ export async function startSession(args: Arguments, host?: SessionHost): Promise
   const warnings: Warning[] = args.formerWords.map(inFlags);
   const session = { args, checked, warnings, written: [], activity: '', write: writeWhole, isHosted: false };
   if (host) return { ...session, ...host, isHosted: true };
-  const showsProgress = !args.quiet && canRedraw(process.stderr);
-  const onProgress = showsProgress
-    ? (progress: Progress) => showProgress(session.activity, progress)
-    : undefined;
-  const core = await loadSessionCore(args.settings.threads, onProgress, args.memory);
+  const core = await takeCore(args, (progress) => showProgress(session.activity, progress));
   return Object.assign(session, { core });
-}
-
-/** The core, from where the command line has it. */
-export const loadSessionCore = (
-  threads: number,
-  onProgress?: (progress: Progress) => void,
-  memory: number | null = null,
-): Promise<Core> => loadCore({ threads, wasmFolder: findWasm(), onProgress, memory: memory ?? undefined });
-
-/** The core is among the assets of the npm package, beside the built page, or in public/ in a working copy. */
-function findWasm(): string {
-  const folders = ['../assets/', ...foldersOfPage(), '../../public/wasm/'].map(
-    (folder) => new URL(folder, import.meta.url),
-  );
-  const found = folders.find((folder) => existsSync(new URL('limber-single.mjs', folder)));
-  if (!found) throw new UsageError('The WebAssembly core is missing: run npm run build.');
-  return found.href;
-}
-
-/** Where the built page has the core: in a folder named after its bytes. */
-function foldersOfPage(): string[] {
-  const all = '../app/wasm/';
-  const path = new URL(all, import.meta.url);
-  return existsSync(path) ? readdirSync(path).map((version) => `${all}${version}/`) : [];
 }
 
 /** Opens the model of an operand and makes sure that there is room for what comes of it. */

@@ -27,7 +27,7 @@ import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
-import { readText } from './files';
+import { readText } from './input_files/read_file';
 import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';

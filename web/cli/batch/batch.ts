@@ -7,7 +7,7 @@ import { EMPTY_CONFIG, isExcluded, readBatchConfig } from '../../engine/settings
 import { startStopwatch } from '../../engine/core/stopwatch';
 import type { Arguments } from '../arguments';
 import { EXIT, inFlags, UsageError } from '../failure';
-import { readText } from '../files';
+import { readText } from '../input_files/read_file';
 import { findAt } from '../output_files/identity';
 import { checkOutputs } from '../output_files/outputs';
 import { isOwnFile } from '../output_files/own_files';

@@ -2,7 +2,7 @@
 
 import { readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { isWithin } from './output_files/identity';
+import { isWithin } from '../output_files/identity';
 
 export class FoundFiles {
   /** by folder, and by the lower case of each name in it */

@@ -2,15 +2,15 @@
 
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import type { SourceFile } from '../engine/document/open';
+import type { SourceFile } from '../../engine/document/open';
 import {
   libraryPaths,
   MOST_LIBRARY_BYTES,
   namedLibraries,
   picturePaths,
-} from '../engine/document/formats/obj/companion_paths';
-import { READ_MAPS } from '../engine/document/formats/obj/gltf_materials';
-import { picturesNamed, readMtl } from '../engine/document/formats/obj/mtl';
+} from '../../engine/document/formats/obj/companion_paths';
+import { READ_MAPS } from '../../engine/document/formats/obj/gltf_materials';
+import { picturesNamed, readMtl } from '../../engine/document/formats/obj/mtl';
 import { FoundFiles } from './found_files';
 
 /** Bytes of a line that are looked at. */
