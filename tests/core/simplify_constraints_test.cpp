@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -296,6 +297,44 @@ TEST(SimplifyConstraints, attributesThatAreLinearOnEachSideOfASeamCostNothing) {
   for (size_t i = 0; i < 100; ++i) ASSERT_EQ(a.removed[i], b.removed[i]) << i;
 }
 
+// Displacements of a sheet in the plane z = 0, [3 * v + c]: waves along z where `across` is true, else along
+// x.
+std::vector<float> wavesOf(const TriangleMesh& mesh, const std::function<bool(const Vec3&)>& across) {
+  std::vector<float> waves(3 * size_t{mesh.vertexCount()});
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3& p = mesh.positions[v];
+    waves[3 * size_t{v} + (across(p) ? 2 : 0)] =
+        static_cast<float>(0.05 * std::sin(9 * p.x) * std::sin(8 * p.y));
+  }
+  return waves;
+}
+
+TEST(SimplifyConstraints, displacementsAcrossTheSurfaceKeepMoreVerticesThanThoseWithinIt) {
+  const TriangleMesh mesh = roughSheet();
+  const std::vector<float> waves = wavesOf(mesh, [](const Vec3& p) { return p.x > 1; });
+  const auto shareOfRight = [&](uint32_t displacementFields) {
+    const SimplifyConstraints constraints{
+        .attributes = waves, .attributeDimension = 3, .displacementFields = displacementFields};
+    const History history = run(mesh, constraints, Method::Qem);
+    const TriangleMesh quarter = meshAt(mesh, history, mesh.triangleCount() / 4).mesh;
+    const auto right = std::ranges::count_if(quarter.positions, [](const Vec3& p) { return p.x > 1; });
+    return static_cast<double>(right) / quarter.vertexCount();
+  };
+  EXPECT_NEAR(shareOfRight(0), 0.5, 0.05);
+  EXPECT_GT(shareOfRight(1), 0.6);
+}
+
+TEST(SimplifyConstraints, anAffineMotionOfASheetCostsNothing) {
+  const TriangleMesh mesh = roughSheet();
+  std::vector<float> affine;
+  for (const Vec3& p : mesh.positions)
+    for (const double value : {0.25 * p.y, 0.5 * p.x - 0.125 * p.z, 0.5 + 0.25 * p.z})
+      affine.push_back(static_cast<float>(value));
+  const SimplifyConstraints moving{.attributes = affine, .attributeDimension = 3, .displacementFields = 1};
+  const History a = run(mesh, moving, Method::Limber), b = run(mesh, {}, Method::Limber);
+  for (size_t i = 0; i < 100; ++i) ASSERT_EQ(a.removed[i], b.removed[i]) << i;
+}
+
 TEST(SimplifyConstraints, listsThatDoNotFitAreRefusedWithASentence) {
   const TriangleMesh mesh = shapes::sphere(1);
   const std::vector<uint32_t> numbers(7);
@@ -310,6 +349,7 @@ TEST(SimplifyConstraints, listsThatDoNotFitAreRefusedWithASentence) {
                                      {.attributes = floats, .attributeDimension = 9},
                                      {.creaseAngle = 181},
                                      {.attributes = floats, .attributeDimension = 2},
+                                     {.attributes = floats, .attributeDimension = 1, .displacementFields = 1},
                                      {.wedges = lastWedge, .attributes = floats, .attributeDimension = 1}};
   for (const SimplifyConstraints& constraints : bad)
     EXPECT_THROW(run(mesh, constraints), std::invalid_argument);

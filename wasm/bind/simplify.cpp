@@ -29,6 +29,7 @@ struct ConstraintLists {
   std::vector<float> keep, attributes;
   std::vector<uint8_t> locked;
   uint32_t attributeDimension = 0;
+  uint32_t displacementFields = 0;
   double creaseAngle = 0;
   Borders borders = Borders::Free;
 
@@ -41,6 +42,7 @@ struct ConstraintLists {
             .attributes = attributes,
             .mirror = mirror,
             .attributeDimension = attributeDimension,
+            .displacementFields = displacementFields,
             .creaseAngle = creaseAngle,
             .borders = borders};
   }
@@ -56,6 +58,7 @@ struct Fields<ConstraintLists> {
       optionalField("pinnedSets", &ConstraintLists::pinnedSets),
       optionalField("attributes", &ConstraintLists::attributes),
       optionalField("attributeDimension", &ConstraintLists::attributeDimension),
+      optionalField("displacementFields", &ConstraintLists::displacementFields),
       optionalField("mirror", &ConstraintLists::mirror),
       optionalField("creaseAngle", &ConstraintLists::creaseAngle),
       optionalField("borders", &ConstraintLists::borders));

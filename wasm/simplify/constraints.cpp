@@ -22,6 +22,10 @@ void checkAttributes(const TriangleMesh& mesh, const SimplifyConstraints& constr
     throw std::invalid_argument("The attributes that guide the simplification have dimension " +
                                 std::to_string(dimension) + ": take 1 to " +
                                 std::to_string(SimplifyConstraints::kAttributeLimit) + ".");
+  if (uint64_t{3} * constraints.displacementFields > dimension)
+    throw std::invalid_argument("Of " + std::to_string(dimension) + " attributes, " +
+                                std::to_string(constraints.displacementFields) +
+                                " displacements cannot be the last ones: each has three.");
   const uint64_t rows =
       constraints.wedges.empty() ? mesh.vertexCount() : uint64_t{std::ranges::max(constraints.wedges)} + 1;
   if (constraints.attributes.size() < rows * dimension)

@@ -39,6 +39,9 @@ struct SimplifyConstraints {
   // [v]: the vertex that v is the mirror image of, v itself on the plane of symmetry; see Mirror.
   std::span<const uint32_t> mirror{};
   uint32_t attributeDimension = 0;  // at most kAttributeLimit
+  // The last 3 * displacementFields of the attributes are coordinates of displacements. Of their error only
+  // what lies across the surface counts.
+  uint32_t displacementFields = 0;
   // An edge is a crease if the normals of its triangles differ by more than this angle; degrees, in [0, 180].
   // 0: no edge is.
   double creaseAngle = 0;

@@ -5,6 +5,7 @@
 
 #include "simplify/collapse_mesh.h"
 #include "simplify/constraints.h"
+#include "simplify/cost/displacement_error.h"
 #include "simplify/quadric.h"
 
 namespace limber {
@@ -18,6 +19,9 @@ namespace limber {
 // 0 where all its triangles agree on one linear field. That is a quadric in p, which is added to those of the
 // planes on each side of an edge, so that attributes count in the error and in the optimum. Values are
 // multiplied by the diagonal of the bounding box, so that the sum is a squared length times an area.
+//
+// Displacements count in a metric, see addDisplacement: in full across the surface, and little within it,
+// where only what is painted on it can be seen to slide; but in full where a border shows.
 class AttributeQuadrics {
  public:
   // Stores nothing if the constraints have no attributes.
@@ -30,6 +34,9 @@ class AttributeQuadrics {
   void collapse(const Collapse& step);
 
  private:
+  // Where the sums of fields begin, behind a form and the area.
+  static constexpr uint32_t kFields = kFormSize + 1;
+
   struct Joined {
     uint32_t sectors[2][2];  // on each side: the one at the first vertex, the one at the second
     int count;
@@ -37,14 +44,23 @@ class AttributeQuadrics {
 
   void addTriangle(uint32_t t, const SimplifyConstraints& constraints);
   Joined sectorsAt(uint32_t edge, uint32_t first, uint32_t second) const;
+  bool hasBorder(uint32_t t) const;
+  void addScalars(double* sums, const LinearField* fields, double area) const;
+  void addDisplacements(double* sums, const LinearField* fields, const Metric& metric, double area) const;
   Quadric residualOf(uint32_t first, uint32_t second) const;
+  void takeMeansOff(double* form, const double* p, const double* q) const;
+  // Where the sum of the metrics, and where the sums of displacement k begin within those of a sector.
+  uint32_t metricAt() const { return kFields + 4 * scalars_; }
+  uint32_t displacementAt(uint32_t k) const { return metricAt() + kMetricSize + kDisplacementSize * k; }
   double* sumsOf(uint32_t sector) { return sums_.data() + size_t{sector} * stride_; }
   const double* sumsOf(uint32_t sector) const { return sums_.data() + size_t{sector} * stride_; }
 
   const CollapseMesh& mesh_;
   uint32_t dimension_ = 0, stride_ = 0;
+  uint32_t scalars_ = 0, displacements_ = 0;  // dimension_ = scalars_ + 3 * displacements_
   // Per sector: sum over j, f of a g g^T (xx, xy, xz, yy, yz, zz), of a d g, of a d^2; the area; then for
-  // each attribute the sums over f of a g and a d.
+  // each attribute that is no displacement the sums over f of a g and a d; then the sum of a M and the sums
+  // of each displacement, see addDisplacement.
   std::vector<double> sums_;
 };
 

@@ -15,6 +15,8 @@ export interface CostAttributes {
   /** values[dimension * wedge + d] */
   values: Float32Array;
   dimension: number;
+  /** how many of the fields of poses, the last ones, count across the surface alone; each has three dimensions */
+  displacementFields: number;
 }
 
 /** The most numbers per wedge that the core takes. */
@@ -54,11 +56,11 @@ export function costAttributesOf(
         values[dimension * wedge + first + d] = part.scale * part.values[part.size * wedge + d];
     first += part.size;
   }
-  return { values, dimension };
+  return { values, dimension, displacementFields: poses?.animated ?? 0 };
 }
 
 /** Values of vertices as those of their wedges. */
-function perWedge({ values, size }: Poses, { triangles }: TriangleMesh, wedges: Uint32Array): Poses {
+function perWedge({ values, size }: Poses, { triangles }: TriangleMesh, wedges: Uint32Array) {
   const spread = new Float32Array(size * (wedges.reduce((most, wedge) => Math.max(most, wedge), 0) + 1));
   wedges.forEach((wedge, corner) => {
     for (let d = 0; d < size; ++d) spread[size * wedge + d] = values[size * triangles[corner] + d];

@@ -20,6 +20,8 @@ import type { PosedPositions } from './skinning';
 export interface Poses {
   values: Float32Array;
   size: number;
+  /** how many of the last fields are those of animations */
+  animated: number;
 }
 
 /** At most `most` fields; null where nothing bends the body. */
@@ -30,14 +32,15 @@ export function posesOf(document: Document, body: Body, weld: WeldResult, most: 
     find(document, body).map(bending),
   );
   const ofTargets = targets.length === 0 ? 0 : Math.floor(most / (animated.length === 0 ? 1 : 2));
-  const fields = [...principalFields(animated, most - ofTargets), ...mixtures(targets, ofTargets)];
+  const principal = principalFields(animated, most - ofTargets);
+  const fields = [...mixtures(targets, ofTargets), ...principal];
   if (fields.length === 0) return null;
   const size = 3 * fields.length;
   const values = new Float32Array(size * vertexCount(weld.mesh));
   fields.forEach((field, k) =>
     field.forEach((value, i) => (values[size * Math.floor(i / 3) + 3 * k + (i % 3)] = value)),
   );
-  return { values, size };
+  return { values, size, animated: principal.length };
 }
 
 function weldedPose(posed: Float64Array, { vertexOfSource, mesh }: WeldResult): Float64Array {

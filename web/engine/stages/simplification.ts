@@ -98,8 +98,8 @@ function simplifyConstraints(
   if (seams === null) return constraints;
   const { charts } = prepared.attributes;
   if (seams === 'cross') return { ...constraints, groups: charts.groups };
-  const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
-  return { ...constraints, ...charts, attributes, attributeDimension };
+  const { values: attributes, dimension: attributeDimension, displacementFields } = prepared.costAttributes;
+  return { ...constraints, ...charts, attributes, attributeDimension, displacementFields };
 }
 
 function overMaximum(field: Float32Array): Float32Array {

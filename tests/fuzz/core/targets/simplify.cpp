@@ -67,6 +67,7 @@ void drawLists(Lists& lists, SimplifyOptions& options, const TriangleMesh& mesh,
     draw(lists.attributes, input,
          (lists.wedges.empty() ? 1 : 2) * vertices * options.constraints.attributeDimension, 200);
     options.constraints.attributes = lists.attributes;
+    options.constraints.displacementFields = options.constraints.attributeDimension / 3;
     if (lists.attributes.empty()) options.constraints.attributeDimension = 0;
   }
 }

@@ -24,6 +24,8 @@ export interface SimplifyConstraints {
   attributes?: Float32Array;
   /** 1 to ATTRIBUTE_LIMIT */
   attributeDimension?: number;
+  /** the last 3 * displacementFields attributes are coordinates of displacements: only what lies across the surface counts */
+  displacementFields?: number;
   /** per vertex: its mirror image, on the plane of symmetry the vertex itself; both sides collapse together */
   mirror?: Uint32Array;
   /** degrees between face normals above which an edge is a crease; 0: no creases */

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/vec3.h"
+
+namespace limber {
+
+// The error of displacements u_f(p) that are linear over each triangle, in a metric M_f of each: with c(p)
+// the area-weighted mean of the u_f(p),
+//   E(p) = sum_f a_f (u_f(p) - c(p))^T M_f (u_f(p) - c(p)).
+// That is a quadratic form in (p, 1). It follows from sums over the triangles: the form a u^T M u and the
+// matrix a M, which displacements share, and for each of them the fields a u and a M u. All are flat arrays
+// that add up.
+
+// A field at p is the dot product of its four numbers with (p, 1).
+using LinearField = std::array<double, 4>;
+// xx, xy, xz, yy, yz, zz of a symmetric matrix.
+using Metric = std::array<double, 6>;
+
+// The matrix of a form: xx, xy, xz, yy, yz, zz; half of its linear part: x, y, z; its constant.
+constexpr uint32_t kFormSize = 10;
+constexpr uint32_t kMetricSize = 6;
+// The sums of one displacement: [4 * c + i] of a u, [12 + 4 * c + i] of a M u, c the coordinate.
+constexpr uint32_t kDisplacementSize = 24;
+
+// The metric of one triangle and its area, or sum a M of several and their area.
+struct WeightedMetric {
+  Metric metric;
+  double area;
+};
+
+// The metric in which what lies along the unit normal counts in full, and what lies across the normal
+// `within` as much.
+Metric metricAlong(const Vec3& normal, double within);
+
+// Adds `weight` times the square of the field.
+void addSquare(double* form, const LinearField& field, double weight);
+
+// Adds the displacement u[0], u[1], u[2] of a triangle to the sums of this displacement, and to the form.
+void addDisplacement(double* sums, double* form, const LinearField* u, const WeightedMetric& triangle);
+
+// Adds to the form what E has besides the sum of a u^T M u; `sums` and `all` are those of all triangles.
+void takeMeanOff(double* form, const double* sums, const WeightedMetric& all);
+
+}  // namespace limber
