@@ -297,6 +297,23 @@ TEST(SimplifyConstraints, attributesThatAreLinearOnEachSideOfASeamCostNothing) {
   for (size_t i = 0; i < 100; ++i) ASSERT_EQ(a.removed[i], b.removed[i]) << i;
 }
 
+TEST(SimplifyConstraints, aSeamGivesUpMoreOfItsVerticesThanAnOutline) {
+  const TriangleMesh mesh = shapes::jittered(shapes::sphere(4), 0.2, 5);
+  const auto groups = halves(mesh, 0);
+  std::vector<uint32_t> wedges, sides(mesh.vertexCount());
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (const uint32_t v : mesh.triangles[t]) {
+      wedges.push_back(v + mesh.vertexCount() * groups[t]);
+      sides[v] |= 1u << groups[t];
+    }
+  const auto goneFromLine = [&](const SimplifyConstraints& constraints) {
+    const History history = run(mesh, constraints);
+    const auto half = std::span(history.removed).first(mesh.vertexCount() / 2);
+    return std::ranges::count_if(half, [&](uint32_t v) { return sides[v] == 3; });
+  };
+  EXPECT_GT(goneFromLine({.wedges = wedges}), 1.5 * goneFromLine({.groups = groups}));
+}
+
 // Displacements of a sheet in the plane z = 0, [3 * v + c]: waves along z where `across` is true, else along
 // x.
 std::vector<float> wavesOf(const TriangleMesh& mesh, const std::function<bool(const Vec3&)>& across) {

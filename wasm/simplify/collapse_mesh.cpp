@@ -39,7 +39,7 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& 
     edges_.push_back({.ends = {edge.a, edge.b},
                       .heir = kNone,
                       .triangles = static_cast<uint8_t>(std::min(edge.useCount, 3u)),
-                      .isFeature = features.isFeature[edges_.size()]});
+                      .feature = features.kinds[edges_.size()]});
   collectQuadrics();
 }
 
@@ -72,10 +72,18 @@ void CollapseMesh::collectQuadrics() {
       const uint32_t from = corners[nextIndex(c)], to = corners[previousIndex(c)];
       const Vec3 along = position(to) - position(from);
       const Quadric across = planeQuadric(normalized(cross(along, areaNormal)), position(from),
-                                          kFeatureWeight * squaredLength(along));
+                                          featureWeight(edges[c], plane.area));
       for (const uint32_t v : {from, to}) vertices_[v].quadric = vertices_[v].quadric + across;
     }
   }
+}
+
+// How much the plane that stands on a triangle's feature edge counts. Outlines show wherever they go. A seam
+// shows as far as the texture slides, which costs as much as if the triangle were off by as far.
+double CollapseMesh::featureWeight(uint32_t edge, double area) const {
+  if (edges_[edge].triangles == 2 && edges_[edge].feature == FeatureKind::Seam) return area;
+  const auto [a, b] = edges_[edge].ends;
+  return kFeatureWeight * squaredLength(position(b) - position(a));
 }
 
 bool CollapseMesh::isOn(const Face& face, uint32_t edge) const {
@@ -99,7 +107,7 @@ void CollapseMesh::joinSectors(Corner removed, Corner kept) {
 void CollapseMesh::mergeEdges(uint32_t dying, uint32_t heir) {
   Edge &from = edges_[dying], &to = edges_[heir];
   to.triangles = static_cast<uint8_t>(to.triangles + from.triangles - 2);
-  to.isFeature |= from.isFeature;
+  to.feature = std::max(to.feature, from.feature);
   from.triangles = 0;
   from.heir = heir;
 }

@@ -56,7 +56,9 @@ class CollapseMesh {
   bool isMarked(uint32_t v) const { return vertices_[v].isMarked; }
   void setMarked(uint32_t v, bool marked) { vertices_[v].isMarked = marked; }
   // Whether an edge is a feature edge, borders included.
-  bool isFeature(uint32_t e) const { return edges_[e].triangles == 1 || edges_[e].isFeature != 0; }
+  bool isFeature(uint32_t e) const {
+    return edges_[e].triangles == 1 || edges_[e].feature != FeatureKind::None;
+  }
   // The end of an edge that constraints keep where it is while the other end is removed; kNone where both
   // ends have the same freedom.
   uint32_t fixedEnd(uint32_t e) const {
@@ -136,7 +138,7 @@ class CollapseMesh {
     Ends ends;
     uint32_t heir;      // of an edge that is gone: the edge it has become; else kNone
     uint8_t triangles;  // see trianglesOnEdge
-    uint8_t isFeature;  // whether it is a feature edge inside the surface
+    FeatureKind feature;
   };
   struct alignas(128) Vertex {
     Quadric quadric{};
@@ -149,6 +151,7 @@ class CollapseMesh {
 
   void collectVertices(const TriangleMesh& mesh, const Topology& topology, const FeatureEdges& features);
   void collectQuadrics();
+  double featureWeight(uint32_t edge, double area) const;
   bool isOn(const Face& face, uint32_t edge) const;
   void mergeEdges(uint32_t dying, uint32_t heir);
   void removeFromStar(uint32_t v, uint32_t triangle);

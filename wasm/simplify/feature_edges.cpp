@@ -22,13 +22,17 @@ class FeatureRules {
     return constraints_.groups.empty() && constraints_.wedges.empty() && constraints_.creaseAngle == 0 &&
            constraints_.pinnedSets.empty() && constraints_.mirror.empty();
   }
-  bool isFeature(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
-    return isSeam(edge, s, t) || isCrease(s, t) || isOutline(edge, s, t) || isInMirror(edge);
+  FeatureKind kindOf(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
+    if (isBetweenGroups(s, t) || isCrease(s, t) || isOutline(edge, s, t) || isInMirror(edge))
+      return FeatureKind::Outline;
+    return isSeam(edge, s, t) ? FeatureKind::Seam : FeatureKind::None;
   }
 
  private:
+  bool isBetweenGroups(uint32_t s, uint32_t t) const {
+    return !constraints_.groups.empty() && constraints_.groups[s] != constraints_.groups[t];
+  }
   bool isSeam(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
-    if (!constraints_.groups.empty() && constraints_.groups[s] != constraints_.groups[t]) return true;
     return !constraints_.wedges.empty() &&
            (wedge(s, edge.a) != wedge(t, edge.a) || wedge(s, edge.b) != wedge(t, edge.b));
   }
@@ -71,20 +75,21 @@ struct FeatureCounts {
 };
 
 std::vector<FeatureCounts> countFeatures(const Topology& topology, const SimplifyConstraints& constraints,
-                                         const std::vector<uint8_t>& isFeature) {
+                                         const FeatureEdges& found) {
   std::vector<FeatureCounts> around(topology.vertexStart.size() - 1);
   for (size_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
     const bool border = edge.useCount == 1;
-    if (!border && !isFeature[e] && constraints.pinnedSets.empty()) continue;
+    const bool feature = found.isFeature(e);
+    if (!border && !feature && constraints.pinnedSets.empty()) continue;
     for (const auto& [v, other] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
       around[v].borders += border;
-      around[v].features += isFeature[e];
+      around[v].features += feature;
       if (constraints.pinnedSets.empty()) continue;
       const uint32_t own = constraints.pinnedSets[v], others = constraints.pinnedSets[other];
       const bool leaves = (own & ~others) != 0;
       around[v].leavesSet |= leaves;
-      around[v].outlinesPinnedSet |= leaves && (border || isFeature[e]);
+      around[v].outlinesPinnedSet |= leaves && (border || feature);
     }
   }
   return around;
@@ -110,15 +115,15 @@ VertexRole roleOf(VertexKind kind, const FeatureCounts& around, bool borderFixed
 FeatureEdges findFeatureEdges(const TriangleMesh& mesh, const Topology& topology,
                               const SimplifyConstraints& constraints) {
   FeatureEdges found;
-  found.isFeature.assign(topology.edges.size(), 0);
+  found.kinds.assign(topology.edges.size(), FeatureKind::None);
   const FeatureRules rules(mesh, constraints);
   for (size_t e = 0; e < topology.edges.size() && !rules.empty(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
     if (edge.useCount != 2) continue;
     const auto triangles = topology.trianglesAt(edge);
-    found.isFeature[e] = rules.isFeature(edge, triangles[0], triangles[1]);
+    found.kinds[e] = rules.kindOf(edge, triangles[0], triangles[1]);
   }
-  const auto around = countFeatures(topology, constraints, found.isFeature);
+  const auto around = countFeatures(topology, constraints, found);
   const auto kinds = classifyVertices(mesh, topology);
   found.roles.reserve(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {

@@ -24,10 +24,19 @@ struct VertexRole {
   bool onBorder = false;   // one of its edges is a border
 };
 
+// What an edge with two triangles is.
+enum class FeatureKind : uint8_t {
+  None,
+  Seam,     // wedges differ and nothing else: the texture goes on in another piece of it
+  Outline,  // any other feature edge
+};
+
 // The feature edges of a mesh, and what these and the constraints allow its vertices.
 struct FeatureEdges {
-  std::vector<uint8_t> isFeature;  // [e]: 1 for a feature edge with two triangles; borders have 0
+  std::vector<FeatureKind> kinds;  // [e]; borders have None
   std::vector<VertexRole> roles;   // [v]
+
+  bool isFeature(size_t edge) const { return kinds[edge] != FeatureKind::None; }
 };
 
 // O(triangles). `constraints` must have been checked.

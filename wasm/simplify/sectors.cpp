@@ -9,7 +9,7 @@ std::vector<uint32_t> findSectors(const TriangleMesh& mesh, const Topology& topo
   DisjointSets sets(3 * size_t{mesh.triangleCount()});
   for (size_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
-    if (edge.useCount != 2 || features.isFeature[e]) continue;
+    if (edge.useCount != 2 || features.isFeature(e)) continue;
     const auto triangles = topology.trianglesAt(edge);
     for (const uint32_t v : {edge.a, edge.b})
       sets.unite(cornerAt(mesh, triangles[0], v).flatIndex(), cornerAt(mesh, triangles[1], v).flatIndex());
