@@ -44,17 +44,16 @@ double valueOfForm(const double* f, const Vec3& p) {
          f[9];
 }
 
-// The form that the sums of the parts lead to.
+// The form that the sums of the parts lead to, added up in two sets.
 std::array<double, kFormSize> formOf(const std::vector<Part>& parts) {
   std::array<double, kFormSize> form{};
-  std::array<double, kDisplacementSize> sums{};
-  WeightedMetric all{};
-  for (const Part& part : parts) {
-    addDisplacement(sums.data(), form.data(), part.u.data(), part.metric);
-    for (uint32_t i = 0; i < kMetricSize; ++i) all.metric[i] += part.metric.area * part.metric.metric[i];
-    all.area += part.metric.area;
+  std::array<double, displacementSums(1)> first{}, second{};
+  double area = 0;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    addDisplacements((i < 2 ? first : second).data(), form.data(), parts[i].u, parts[i].metric);
+    area += parts[i].metric.area;
   }
-  takeMeanOff(form.data(), sums.data(), all);
+  takeMeansOff(form.data(), {first.data(), second.data()}, 1, area);
   return form;
 }
 

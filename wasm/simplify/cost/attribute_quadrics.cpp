@@ -22,7 +22,7 @@ AttributeQuadrics::AttributeQuadrics(const CollapseMesh& mesh, const SimplifyCon
   dimension_ = constraints.attributeDimension;
   displacements_ = constraints.displacementFields;
   scalars_ = dimension_ - 3 * displacements_;
-  stride_ = displacements_ == 0 ? metricAt() : displacementAt(displacements_);
+  stride_ = displacementsAt() + displacementSums(displacements_);
   sums_.assign(size_t{mesh.sectorCount()} * stride_, 0);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) addTriangle(t, constraints);
 }
@@ -47,11 +47,13 @@ void AttributeQuadrics::addTriangle(uint32_t t, const SimplifyConstraints& const
     const Vec3 g = alongQ * (value(1) - atP) + alongR * (value(2) - atP);
     fields[j] = {g.x, g.y, g.z, atP - dot(g, p)};
   }
-  const Metric metric = metricAlong(normal / (2 * area), hasBorder(t) ? 1 : kWithinSurface);
+  const WeightedMetric triangle{metricAlong(normal / (2 * area), hasBorder(t) ? 1 : kWithinSurface), area};
   for (int c = 0; c < 3; ++c) {
     double* sums = sumsOf(mesh_.sector(Corner(t, c)));
     addScalars(sums, fields.data(), area);
-    addDisplacements(sums, fields.data() + scalars_, metric, area);
+    if (displacements_ > 0)
+      addDisplacements(sums + displacementsAt(), sums,
+                       std::span(fields).subspan(scalars_, 3 * displacements_), triangle);
   }
 }
 
@@ -66,14 +68,6 @@ void AttributeQuadrics::addScalars(double* sums, const LinearField* fields, doub
     addSquare(sums, fields[j], area);
     for (int i = 0; i < 4; ++i) sums[kFields + 4 * j + i] += area * fields[j][i];
   }
-}
-
-void AttributeQuadrics::addDisplacements(double* sums, const LinearField* fields, const Metric& metric,
-                                         double area) const {
-  if (displacements_ == 0) return;
-  for (uint32_t i = 0; i < kMetricSize; ++i) sums[metricAt() + i] += area * metric[i];
-  for (uint32_t k = 0; k < displacements_; ++k)
-    addDisplacement(sums + displacementAt(k), sums, fields + 3 * k, {metric, area});
 }
 
 AttributeQuadrics::Joined AttributeQuadrics::sectorsAt(uint32_t edge, uint32_t first, uint32_t second) const {
@@ -110,7 +104,8 @@ Quadric AttributeQuadrics::residualOf(uint32_t first, uint32_t second) const {
   if (!(area > 0)) return {};
   double sums[kFields];
   for (uint32_t i = 0; i < kFields; ++i) sums[i] = p[i] + q[i];
-  if (displacements_ > 0) takeMeansOff(sums, p, q);
+  if (displacements_ > 0)
+    takeMeansOff(sums, {p + displacementsAt(), q + displacementsAt()}, displacements_, area);
   for (uint32_t j = 0; j < scalars_; ++j) {
     const uint32_t at = kFields + 4 * j;
     const double x = p[at] + q[at], y = p[at + 1] + q[at + 1], z = p[at + 2] + q[at + 2];
@@ -120,18 +115,6 @@ Quadric AttributeQuadrics::residualOf(uint32_t first, uint32_t second) const {
   }
   return {sums[0],         sums[1], sums[2], sums[3], sums[4], sums[5], {sums[kVector], sums[7], sums[8]},
           sums[kConstant], 0};
-}
-
-// Turns the form of two sectors together into their error, as far as displacements go.
-void AttributeQuadrics::takeMeansOff(double* form, const double* p, const double* q) const {
-  double both[kDisplacementSize];
-  WeightedMetric metric{{}, p[kArea] + q[kArea]};
-  for (uint32_t i = 0; i < kMetricSize; ++i) metric.metric[i] = p[metricAt() + i] + q[metricAt() + i];
-  for (uint32_t k = 0; k < displacements_; ++k) {
-    const uint32_t at = displacementAt(k);
-    for (uint32_t i = 0; i < kDisplacementSize; ++i) both[i] = p[at + i] + q[at + i];
-    takeMeanOff(form, both, metric);
-  }
 }
 
 void AttributeQuadrics::collapse(const Collapse& step) {

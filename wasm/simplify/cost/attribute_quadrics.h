@@ -20,7 +20,7 @@ namespace limber {
 // planes on each side of an edge, so that attributes count in the error and in the optimum. Values are
 // multiplied by the diagonal of the bounding box, so that the sum is a squared length times an area.
 //
-// Displacements count in a metric, see addDisplacement: in full across the surface, and little within it,
+// Displacements count in a metric, see addDisplacements: in full across the surface, and little within it,
 // where only what is painted on it can be seen to slide; but in full where a border shows.
 class AttributeQuadrics {
  public:
@@ -46,12 +46,9 @@ class AttributeQuadrics {
   Joined sectorsAt(uint32_t edge, uint32_t first, uint32_t second) const;
   bool hasBorder(uint32_t t) const;
   void addScalars(double* sums, const LinearField* fields, double area) const;
-  void addDisplacements(double* sums, const LinearField* fields, const Metric& metric, double area) const;
   Quadric residualOf(uint32_t first, uint32_t second) const;
-  void takeMeansOff(double* form, const double* p, const double* q) const;
-  // Where the sum of the metrics, and where the sums of displacement k begin within those of a sector.
-  uint32_t metricAt() const { return kFields + 4 * scalars_; }
-  uint32_t displacementAt(uint32_t k) const { return metricAt() + kMetricSize + kDisplacementSize * k; }
+  // Where the sums of displacements begin within those of a sector.
+  uint32_t displacementsAt() const { return kFields + 4 * scalars_; }
   double* sumsOf(uint32_t sector) { return sums_.data() + size_t{sector} * stride_; }
   const double* sumsOf(uint32_t sector) const { return sums_.data() + size_t{sector} * stride_; }
 
@@ -59,8 +56,8 @@ class AttributeQuadrics {
   uint32_t dimension_ = 0, stride_ = 0;
   uint32_t scalars_ = 0, displacements_ = 0;  // dimension_ = scalars_ + 3 * displacements_
   // Per sector: sum over j, f of a g g^T (xx, xy, xz, yy, yz, zz), of a d g, of a d^2; the area; then for
-  // each attribute that is no displacement the sums over f of a g and a d; then the sum of a M and the sums
-  // of each displacement, see addDisplacement.
+  // each attribute that is no displacement the sums over f of a g and a d; then those of displacements, see
+  // displacementSums.
   std::vector<double> sums_;
 };
 

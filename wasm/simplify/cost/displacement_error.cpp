@@ -42,23 +42,31 @@ void addSquare(double* form, const LinearField& field, double weight) {
     form[entry] += weight * (field[kEntries[entry][0]] * field[kEntries[entry][1]]);
 }
 
-void addDisplacement(double* sums, double* form, const LinearField* u, const WeightedMetric& triangle) {
-  Fields fields;
-  for (int i = 0; i < 12; ++i) fields[i] = u[i / 4][i % 4];
-  const Fields inMetric = product(triangle.metric, fields);
-  addProduct(form, fields, inMetric, triangle.area);
-  for (int i = 0; i < 12; ++i) {
-    sums[i] += triangle.area * fields[i];
-    sums[12 + i] += triangle.area * inMetric[i];
+void addDisplacements(double* sums, double* form, std::span<const LinearField> u,
+                      const WeightedMetric& triangle) {
+  for (const double value : triangle.metric) *sums++ += triangle.area * value;
+  for (size_t k = 0; k < u.size(); k += 3) {
+    Fields fields;
+    for (int i = 0; i < 12; ++i) fields[i] = u[k + i / 4][i % 4];
+    const Fields inMetric = product(triangle.metric, fields);
+    addProduct(form, fields, inMetric, triangle.area);
+    for (const Fields& list : {fields, inMetric})
+      for (const double value : list) *sums++ += triangle.area * value;
   }
 }
 
-void takeMeanOff(double* form, const double* sums, const WeightedMetric& all) {
-  Fields mean;
-  for (int i = 0; i < 12; ++i) mean[i] = sums[i] / all.area;
-  Fields rest = product(all.metric, mean);
-  for (int i = 0; i < 12; ++i) rest[i] -= 2 * sums[12 + i];
-  addProduct(form, mean, rest, 1);
+void takeMeansOff(double* form, const std::array<const double*, 2>& sums, uint32_t count, double area) {
+  auto [p, q] = sums;
+  const auto next = [&] { return *p++ + *q++; };
+  Metric metric;
+  for (double& value : metric) value = next();
+  for (uint32_t k = 0; k < count; ++k) {
+    Fields mean;
+    for (double& value : mean) value = next() / area;
+    Fields rest = product(metric, mean);
+    for (double& value : rest) value -= 2 * next();
+    addProduct(form, mean, rest, 1);
+  }
 }
 
 }  // namespace limber

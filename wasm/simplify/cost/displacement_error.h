@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "base/vec3.h"
 
@@ -21,11 +22,14 @@ using Metric = std::array<double, 6>;
 
 // The matrix of a form: xx, xy, xz, yy, yz, zz; half of its linear part: x, y, z; its constant.
 constexpr uint32_t kFormSize = 10;
-constexpr uint32_t kMetricSize = 6;
-// The sums of one displacement: [4 * c + i] of a u, [12 + 4 * c + i] of a M u, c the coordinate.
-constexpr uint32_t kDisplacementSize = 24;
 
-// The metric of one triangle and its area, or sum a M of several and their area.
+// The number of sums for `count` displacements: first the matrix a M; then of each displacement k
+// [6 + 24 * k + 4 * c + i] of a u and [6 + 24 * k + 12 + 4 * c + i] of a M u, c the coordinate.
+constexpr uint32_t displacementSums(uint32_t count) {
+  return count == 0 ? 0 : 6 + 24 * count;
+}
+
+// The metric of a triangle and its area.
 struct WeightedMetric {
   Metric metric;
   double area;
@@ -38,10 +42,12 @@ Metric metricAlong(const Vec3& normal, double within);
 // Adds `weight` times the square of the field.
 void addSquare(double* form, const LinearField& field, double weight);
 
-// Adds the displacement u[0], u[1], u[2] of a triangle to the sums of this displacement, and to the form.
-void addDisplacement(double* sums, double* form, const LinearField* u, const WeightedMetric& triangle);
+// Adds the displacements of a triangle, three fields for each, to the sums and to the form.
+void addDisplacements(double* sums, double* form, std::span<const LinearField> u,
+                      const WeightedMetric& triangle);
 
-// Adds to the form what E has besides the sum of a u^T M u; `sums` and `all` are those of all triangles.
-void takeMeanOff(double* form, const double* sums, const WeightedMetric& all);
+// Adds to the form what E has besides the sum of a u^T M u, for two sets of triangles with these sums
+// together; `area` is that of both.
+void takeMeansOff(double* form, const std::array<const double*, 2>& sums, uint32_t count, double area);
 
 }  // namespace limber
