@@ -9,14 +9,11 @@ import {
   readsSetting,
   resolveModel,
   resolveModes,
-  SETTING_NAMES,
   SettingError,
   settingsOf,
-  solverChange,
   wordSentence,
 } from '../../web/engine/settings/options';
 import type { OptionSpec, Settings } from '../../web/engine/settings/options';
-import { changedSettings, readSettings } from '../../web/engine/settings/setting_text';
 import { VERSION } from '../../web/engine/core/version';
 
 const keys = Object.keys(OPTIONS) as (keyof Settings)[];
@@ -167,36 +164,7 @@ describe('a method', () => {
   it('replaces the weights of another method', () => {
     for (const from of ['limber', 'paper', 'qem'] as const)
       for (const to of ['limber', 'paper', 'qem'] as const)
-        for (const solver of ['none', 'jolt', 'blender'] as const) {
-          const settings = defaultSettings(from, solver);
-          expect({ ...settings, ...methodChange(settings, to) }).toEqual(defaultSettings(to, solver));
-        }
-  });
-});
-
-describe('a solver', () => {
-  it('that gives every vertex the same mass makes triangles more even, unless the user says how even', () => {
-    const evenness = (solver: 'jolt' | 'blender', flags: Record<string, string> = {}) =>
-      readSettings(SETTING_NAMES, (flag) => ({ solver, ...flags })[flag]).sizeWeight;
-    expect(evenness('blender')).toBeGreaterThan(evenness('jolt'));
-    expect(evenness('jolt')).toBe(defaultSettings().sizeWeight);
-    expect(evenness('blender', { 'size-weight': '0.004' })).toBe(0.004);
-    expect(evenness('blender', { method: 'qem' })).toBe(0);
-  });
-
-  it('is changed for another one with its defaults, and leaves what the user has set', () => {
-    const changed = (settings: Settings, solver: Settings['solver']): Settings => ({
-      ...settings,
-      ...solverChange(settings, solver),
-    });
-    const plain = defaultSettings();
-    expect(changed(plain, 'blender')).toEqual(defaultSettings('limber', 'blender'));
-    expect(changed(changed(plain, 'blender'), 'none')).toEqual(plain);
-    expect(changed({ ...plain, sizeWeight: 0.05 }, 'blender').sizeWeight).toBe(0.05);
-  });
-
-  it('is all that a link or a command names of its defaults', () => {
-    expect(changedSettings(defaultSettings('limber', 'blender')).map(({ flag }) => flag)).toEqual(['solver']);
+        expect({ ...defaultSettings(from), ...methodChange(to) }).toEqual(defaultSettings(to));
   });
 });
 

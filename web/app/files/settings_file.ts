@@ -5,7 +5,6 @@ import { readSettingsFile } from '../../engine/report/settings_reader';
 import type { SettingsFile } from '../../engine/report/settings_file';
 import type { SourceFile } from '../../engine/document/open';
 import { engineText, engineValues } from '../../engine/settings/engine_text';
-import { solverChange } from '../../engine/settings/options';
 import { profileOf } from '../../engine/solvers/profiles';
 import { complain } from '../state/running';
 import { changeSettings, keepFaces, results, status, view, wants } from '../state/store';
@@ -60,7 +59,7 @@ function show(name: string, file: SettingsFile, { engine, faces, originalFaces }
   const own = results.body.value!.inspection.faces;
   const isSame = own === originalFaces;
   batch(() => {
-    changeSettings({ ...solverChange(wants.settings.value, solver), tune, engine, unit: units.length });
+    changeSettings({ solver, tune, engine, massRule: 'auto', unit: units.length });
     if (isSame) keepFaces(faces);
     twin.wantsTuned.value = true;
     wants.exportOpen.value = false;

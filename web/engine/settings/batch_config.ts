@@ -109,11 +109,11 @@ export const optionsFor = (
   return Object.assign({}, options, flags, ...own.map((override) => override.options)) as AssetOptions;
 };
 
-/** The settings that options stand for, over the defaults of the method and the solver that they name. Nothing is checked. */
+/** The settings that options stand for, over the defaults of the method that they name. Nothing is checked. */
 export function settingsFor(options: AssetOptions): Settings {
   const names = settingsOf('optimize').filter((name) => options[name] !== undefined);
   const given = Object.fromEntries(names.map((name) => [name, options[name]])) as Partial<Settings>;
-  return { ...defaultSettings(given.method, given.solver), ...given };
+  return { ...defaultSettings(given.method), ...given };
 }
 
 export const isExcluded = ({ exclude }: BatchConfig, path: string): boolean =>

@@ -1,9 +1,8 @@
-/** What is particular to each method of simplification, and the defaults that follow from it and from the solver. No other file asks which method it is. */
+/** What is particular to each method of simplification. No other file asks which method it is. */
 
 import type { Model } from '../core/core';
 import { METHODS } from '../core/methods';
 import type { Method } from '../core/methods';
-import { profileOf } from '../solvers/profiles';
 import { OPTIONS, SETTING_NAMES } from './table';
 import type { SettingName, Settings } from './table';
 
@@ -27,39 +26,18 @@ export const methodOf = ({ method }: Pick<Settings, 'method'>): MethodSpec =>
 export const readsSetting = (settings: Pick<Settings, 'method'>, setting: SettingName): boolean =>
   !PARTICULAR.has(setting) || methodOf(settings).reads.includes(setting);
 
-/**
- * The size weight for a solver that gives every vertex the same mass: the mass of a surface is right there where its triangles are
- * of one size (docs/experiments.md).
- */
-const SIZE_WEIGHT_FOR_EQUAL_MASSES = 0.01;
-
-/** A fresh copy of the defaults with a method and a solver. */
-export function defaultSettings(method: Method = 'limber', solver: Settings['solver'] = 'none'): Settings {
+/** A fresh copy of a method's defaults. */
+export function defaultSettings(method: Method = 'limber'): Settings {
   const entries = SETTING_NAMES.map((name) => [name, structuredClone(OPTIONS[name].default)]);
-  const settings = { ...Object.fromEntries(entries), method, solver } as unknown as Settings;
-  const hasEqualMasses = solver !== 'none' && !profileOf(solver).takes.vertexMasses;
-  if (hasEqualMasses) settings.sizeWeight = SIZE_WEIGHT_FOR_EQUAL_MASSES;
-  return { ...settings, ...methodOf({ method }).defaults };
+  const settings = Object.fromEntries(entries) as unknown as Settings;
+  return { ...settings, method, ...methodOf({ method }).defaults };
 }
 
 /** What changes with the method: itself, and every setting that some method starts differently. */
-export function methodChange({ solver }: Pick<Settings, 'solver'>, method: Method): Partial<Settings> {
-  const defaults = defaultSettings(method, solver);
+export function methodChange(method: Method): Partial<Settings> {
+  const defaults = defaultSettings(method);
   const names = SPECS.flatMap((spec) => Object.keys(spec.defaults) as SettingName[]);
   return { method, ...Object.fromEntries(names.map((name) => [name, defaults[name]])) };
-}
-
-/** What changes with the solver: itself, the size weight where it is the default, and what is said about the former solver. */
-export function solverChange(settings: Settings, solver: Settings['solver']): Partial<Settings> {
-  const { method, sizeWeight } = settings;
-  const isDefault = sizeWeight === defaultSettings(method, settings.solver).sizeWeight;
-  return {
-    solver,
-    engine: '',
-    tune: 'global',
-    massRule: 'auto',
-    sizeWeight: isDefault ? defaultSettings(method, solver).sizeWeight : sizeWeight,
-  };
 }
 
 /** The defaults of the settings that name parts of one file. */

@@ -13,7 +13,6 @@ export {
   readsSetting,
   resolveModel,
   resolveModes,
-  solverChange,
 } from './methods';
 export { OPTIONS, SETTING_NAMES } from './table';
 export type { SettingName, Settings } from './table';

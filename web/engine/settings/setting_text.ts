@@ -31,19 +31,15 @@ export function describeFormerWords(
   });
 }
 
-/** The settings that texts stand for, over the defaults of the method and the solver that they name, or of `base`. Nothing is checked. */
+/** The settings that texts stand for, over the defaults of the method that they name, or of `base`. Nothing is checked. */
 export function readSettings(
   names: readonly SettingName[],
   textOfFlag: (flag: string) => string | null | undefined,
   base: Partial<Settings> = {},
 ): Settings {
-  const asked = (setting: 'method' | 'solver') => {
-    const word = names.includes(setting) ? textOfFlag(OPTIONS[setting].flag) : null;
-    const choices: readonly string[] = OPTIONS[setting].choices;
-    return word !== null && word !== undefined && choices.includes(word) ? { [setting]: word } : {};
-  };
-  const chosen: Partial<Settings> = { ...base, ...asked('method'), ...asked('solver') };
-  const settings = { ...defaultSettings(chosen.method, chosen.solver), ...base };
+  const word = textOfFlag(OPTIONS.method.flag);
+  const asked = names.includes('method') && OPTIONS.method.choices.find((name) => name === word);
+  const settings = { ...defaultSettings((asked || base.method) as Settings['method']), ...base };
   for (const name of names) {
     const text = textOfFlag(OPTIONS[name].flag);
     if (text !== null && text !== undefined)
@@ -52,7 +48,7 @@ export function readSettings(
   return settings;
 }
 
-/** A setting that differs from its default with the method and the solver; a switch that is on has no text. */
+/** A setting that differs from the default of its method; a switch that is on has no text. */
 export interface ChangedSetting {
   key: SettingName;
   flag: string;
@@ -62,9 +58,8 @@ export interface ChangedSetting {
 /** What makes these settings of the defaults, in the order of the table; what describes the machine is left out. */
 export function changedSettings(settings: Settings): ChangedSetting[] {
   const defaults: Settings = {
-    ...defaultSettings(settings.method, settings.solver),
+    ...defaultSettings(settings.method),
     method: OPTIONS.method.default as Settings['method'],
-    solver: OPTIONS.solver.default as Settings['solver'],
   };
   return SETTING_NAMES.filter(
     (key) => !OPTIONS[key].isOfMachine && String(settings[key]) !== String(defaults[key]),

@@ -72,7 +72,7 @@ const ROWS = {
     step: 0.001,
     slider: { min: 0, max: 0.1 },
     default: 0.002,
-    help: 'Weight of the squared length of an edge in its cost (not for paper; 0 for qem; with --solver blender 0.01).',
+    help: 'Weight of the squared length of an edge in its cost (not for paper; 0 for qem).',
     group: 'method',
     page: 'reduction',
   },

@@ -20,7 +20,7 @@ const OTHER_OPTIONS: Record<Command, readonly string[]> = {
 };
 
 /**
- * The settings of a command over the defaults of the method and the solver that they name. An option that is undefined is not given. Throws an
+ * The settings of a command over the defaults of the method that they name. An option that is undefined is not given. Throws an
  * Error for an option that the command does not take, and SettingError for a value that is refused.
  */
 export function settingsFrom(command: Command, options: object): Settings {
@@ -30,7 +30,7 @@ export function settingsFrom(command: Command, options: object): Settings {
     if (!taken.includes(name) && !OTHER_OPTIONS[command].includes(name)) throw unknownOption(command, name);
   const chosen = Object.fromEntries(given.filter(([name]) => taken.includes(name))) as Partial<Settings>;
   const base = { ...COMMAND_DEFAULTS[command], ...chosen };
-  const settings: Settings = { ...defaultSettings(base.method, base.solver), ...base };
+  const settings: Settings = { ...defaultSettings(base.method), ...base };
   checkSettings(settings);
   return settings;
 }

@@ -20,8 +20,8 @@ export const SETTINGS: MessageTable = {
   'Weight of the triangle shape in the cost of an edge (for paper gamma of Eq. 11: 0.01).':
     '辺のコストでの三角形の形の重み (「論文」では式 11 の gamma: 0.01)。',
   'Even sizes': '大きさを揃える',
-  'Weight of the squared length of an edge in its cost (not for paper; 0 for qem; with --solver blender 0.01).':
-    '辺のコストでの長さの 2 乗の重み (「論文」では使いません。「形状のみ」では 0、--solver blender では 0.01)。',
+  'Weight of the squared length of an edge in its cost (not for paper; 0 for qem).':
+    '辺のコストでの長さの 2 乗の重み (「論文」では使いません。「形状のみ」では 0)。',
   "Limber only: after the collapses, move vertices a little: to the original's surface, keeping outline, corners and area (surface); so that the result vibrates like the original in limber's own shell (modal; on in version 0.1); or not at all (off).":
     '「モーション」のみ: 縮約後に頂点を少し動かします。輪郭・角・面積を保って元の表面に合わせる、シェルとして元と同じように振動させる、または動かさない、から選びます。',
   'Largest deviation': 'ずれの上限',

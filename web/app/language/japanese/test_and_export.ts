@@ -111,8 +111,6 @@ export const TEST_AND_EXPORT: MessageTable = {
   ' Derived from its documents, not checked against the engine.':
     '公開資料から導いたもので、エンジンでは未検証です。',
   'Both bodies are {words}, solved here by XPBD.': '両方の物体は「{words}」で、ここでは XPBD で計算します。',
-  'There every vertex has the same mass, so the triangles are made more even for it.':
-    'そこではすべての頂点が同じ質量を持つため、三角形の大きさをよりそろえています。',
   'For {solver} take the model and its settings file, which has the numbers to type in.':
     '{solver} では、モデルと、入力する数値を記した設定ファイルをお使いください。',
   'Export both': '両方を書き出す',

@@ -4,7 +4,7 @@ import { useId, useState } from 'preact/hooks';
 import type { Report } from '../../../engine/report/report';
 import { describeTuning } from '../../../engine/report/solver_report';
 import { engineText, engineValues } from '../../../engine/settings/engine_text';
-import { OPTIONS, solverChange } from '../../../engine/settings/options';
+import { OPTIONS } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
 import type { SolverName } from '../../../engine/solvers/profiles';
@@ -31,7 +31,14 @@ export function SolverSection({ report }: { report: Report | null }) {
         options={SOLVERS}
         value={solver}
         title="The result's stiffness and masses are tuned so that it moves like the original there"
-        onChange={(value) => changeSettings(solverChange(wants.settings.value, value as Settings['solver']))}
+        onChange={(value) =>
+          changeSettings({
+            solver: value as Settings['solver'],
+            engine: '',
+            tune: 'global',
+            massRule: 'auto',
+          })
+        }
       />
       {solver !== 'none' && <Tuning solver={solver} report={report} />}
     </Section>

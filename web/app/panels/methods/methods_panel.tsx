@@ -96,8 +96,7 @@ function choose(name: ComparedMethod): string {
       '{method} is here to compare with. Limber shows, tests and saves results of its own methods: choose one of the first three.',
       { method: say(METHOD_TITLES[name]) },
     );
-  const { value: settings } = wants.settings;
-  if (settings.method !== name) changeSettings(methodChange(settings, name));
+  if (wants.settings.value.method !== name) changeSettings(methodChange(name));
   close();
   return '';
 }

@@ -30,7 +30,7 @@ export function ReducePanel() {
           label="Method"
           options={METHOD_CHOICES}
           value={settings.method}
-          onChange={(value) => changeSettings(methodChange(wants.settings.value, value))}
+          onChange={(value) => changeSettings(methodChange(value))}
         />
         <SettingControls section="method" />
         <MethodsButton />

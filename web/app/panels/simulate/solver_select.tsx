@@ -3,7 +3,7 @@
 import type { OwnModel } from '../../../engine/motion/own_model';
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
 import type { SolverName } from '../../../engine/solvers/profiles';
-import { OPTIONS as SETTINGS, solverChange } from '../../../engine/settings/options';
+import { OPTIONS as SETTINGS } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, status, wants } from '../../state/store';
 import { keepsOwnStiffness, ownModel, twin, usedTuning } from '../../state/twin';
@@ -80,10 +80,11 @@ function choose(value: string): void {
   const material = isUnknown
     ? (SETTINGS.material.default as Material)
     : ownWords(ownModel.value).find(([own]) => ownValue(own) === value)?.[0];
+  const others = { engine: '', tune: 'global', massRule: 'auto' } as const;
   twin.isSolverUnknown.value = isUnknown;
   twin.wantsGeneric.value = false;
-  const change = solverChange(wants.settings.value, material ? 'none' : (value as SolverName));
-  changeSettings(material ? { ...change, material } : change);
+  if (material) changeSettings({ solver: 'none', material, ...others });
+  else changeSettings({ solver: value as SolverName, ...others });
 }
 
 function titleOf(solver: SolverName): string {
@@ -104,11 +105,6 @@ function TakeAlong() {
           solver: say(profileOf(solver).label),
         })}
       </p>
-      {!profileOf(solver).takes.vertexMasses && (
-        <p class="hint">
-          {say('There every vertex has the same mass, so the triangles are made more even for it.')}
-        </p>
-      )}
       <button type="button" onClick={() => (wants.exportOpen.value = true)}>
         {say('Export both')}
       </button>

@@ -56,7 +56,7 @@ export interface MethodResult {
 
 /** The settings of a method as the page would use them once it is chosen. */
 export const settingsForMethod = (settings: Settings, method: Method): Settings =>
-  settings.method === method ? settings : { ...settings, ...methodChange(settings, method) };
+  settings.method === method ? settings : { ...settings, ...methodChange(method) };
 
 /** The same without the limits that can stop a method at another number of faces. */
 export const withoutLimits = (settings: Settings): Settings => ({
