@@ -81,7 +81,7 @@ def film(case, scene, peer):
     results = run.Store(0).results
     name, engine = case.entry["name"], case.engine.NAME
     tuned = results[f"{engine}|{name}|limber|tuning"]
-    ours, other = (simplified(name, case.original, "low:6", method, engine) for method in ("limber", peer))
+    ours, other = (simplified(name, case.original, "low:6", method) for method in ("limber", peer))
     cell = f"{engine}|{name}|{scene}|0"
     percent = lambda method, state: f"{results[f'{cell}|{method}|{state}']:.2g} %"
     return [

@@ -139,7 +139,7 @@ def tune(case, coarse, method):
     Where it refuses, its sentence alone."""
     name, engine = case.entry["name"], case.engine.NAME
     try:
-        found = product.tuned(engine, mesh_file(name), case.original, case.parameters, mesh_file(name, method, engine), coarse)
+        found = product.tuned(engine, mesh_file(name), case.original, case.parameters, mesh_file(name, method), coarse)
     except product.Refused as refused:
         print(f"{engine}, {name}, {method}: {refused}", file=sys.stderr)
         return {"refused": str(refused)}
@@ -155,7 +155,7 @@ def tune(case, coarse, method):
 
 
 def coarse_of(case, method):
-    return simplified(case.entry["name"], case.original, "low:6", method, case.engine.NAME)
+    return simplified(case.entry["name"], case.original, "low:6", method, scenes.definition["ratio"])
 
 
 def tuning_of(store, case, coarse, method):

@@ -5,13 +5,11 @@ from pathlib import Path
 
 import numpy as np
 
-import scenes
 from glb import read_glb
 from meshes import read_obj, weld, write_obj
 from product import CLI, ROOT
 
 FOLDER = ROOT / "build" / "bench" / "engines" / "meshes"
-RATIO = scenes.definition["ratio"]
 
 
 def _ours(source, faces, pins, target, extra):
@@ -58,30 +56,21 @@ METHODS = {
     "fast-simplification": (_fast_simplification, {}),
 }
 OURS = ("limber", "limber, fit off")
-# What `--solver` with the name of the engine makes the default of our simplification.
-OUR_OPTIONS = {"blender": ["--size-weight", "0.01"]}
 
 
-def _is_particular(method, engine):
-    return method in OURS and engine in OUR_OPTIONS
+def mesh_file(name, method=None):
+    """Where the original, or what a method made of it, is stored."""
+    method = f"-{method.replace(' ', '-').replace(',', '')}" if method else ""
+    return FOLDER / f"{name}{method}.obj"
 
 
-def mesh_file(name, method=None, engine=None):
-    """Where the original, or what a method made of it for an engine, is stored."""
-    method_part = f"-{method.replace(' ', '-').replace(',', '')}" if method else ""
-    engine_part = f"-{engine}" if _is_particular(method, engine) else ""
-    return FOLDER / f"{name}{method_part}{engine_part}.obj"
-
-
-def simplified(name, mesh, pins, method, engine):
-    """The coarse mesh of a method for an engine, at RATIO of the faces; computed once."""
+def simplified(name, mesh, pins, method, ratio=0.25):
+    """The coarse mesh, computed once."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    source, target = mesh_file(name), mesh_file(name, method, engine)
+    source, target = mesh_file(name), mesh_file(name, method)
     if not source.exists():
         write_obj(source, mesh)
     if not target.exists():
         run, options = METHODS[method]
-        if _is_particular(method, engine):
-            options = [*options, *OUR_OPTIONS[engine]]
-        write_obj(target, run(source, int(RATIO * len(mesh.triangles)), pins, target, options))
+        write_obj(target, run(source, int(ratio * len(mesh.triangles)), pins, target, options))
     return read_obj(target)
