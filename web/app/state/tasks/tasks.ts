@@ -41,7 +41,7 @@ const isReducing = (): boolean =>
 const areSeveral = (): boolean => (results.file.value?.bodies.length ?? 0) > 1;
 const sharesNow = (): string => sharesKey(settings(), keptFaces.value);
 
-/** Whether the slider moves: both cores are left to the replay of the history then. */
+/** Whether the slider moves: the processor is left to the replay of the history then. */
 const isSliding = (): boolean => restedFaces.value !== wantedFaces.value;
 
 /** The key of a stage that waits until the slider rests on a mesh that is shown; see replay.ts. */
