@@ -57,6 +57,16 @@ Body pendulum(double length, double stretch) {
           .pins = {{0, 1}, {}}};
 }
 
+TEST(ImplicitMotion, givesUpOnceTheMostWorkIsDone) {
+  const Body body = pendulum(0.7, 1e7);
+  const auto moves = [&](double mostWork) {
+    Motion run(body, {.step = 0.05, .motionSize = 0.7, .gravity = {0, -9.81, 0}, .mostWork = mostWork});
+    return run.motion.step(run.job);
+  };
+  EXPECT_TRUE(moves(1e6));
+  EXPECT_FALSE(moves(0));
+}
+
 // Released at 90 degrees, its period is 2 pi sqrt(L / g) / agm(1, cos 45 degrees).
 TEST(ImplicitMotion, swingsAPendulumWithItsPeriod) {
   constexpr double length = 0.7, gravity = 9.81;

@@ -47,6 +47,7 @@ struct MotionTrial::State {
   std::string refusal;
   std::vector<TrialScene> scenes;
   std::vector<std::vector<Vec3>> displacements;  // of the original, per scene
+  std::vector<double> noises;                    // per scene, see noiseFloor()
 
   double diagonal() const { return bounds(original.mesh).diagonal() * original.constants.unit; }
 
@@ -73,14 +74,20 @@ struct MotionTrial::State {
     return all;
   }
 
-  // Leaves out the scenes in which the time steps of the original do not converge.
+  // Leaves out the scenes in which the time steps of the original do not converge, or take too long, and
+  // those in which steps twice as long do: what steps in time contribute there is not known.
   void moveOriginal(Job& job) {
     const std::vector<TrialScene> all = std::move(scenes);
     std::vector<TrialScene> moving;
+    const double order = model.bend == BendElement::Morley ? 1 : 2;
     for (const TrialScene& scene : all) {
       scenes = {scene};
       auto moved = run(original, 1, job);
       if (!moved) continue;
+      const auto coarsely = run(original, kLongStride, job);
+      if (!coarsely) continue;
+      noises.push_back(motionDeviation(moved->front(), coarsely->front(), diagonal()).mean /
+                       (std::exp2(order) - 1));
       displacements.push_back(std::move(moved->front()));
       moving.push_back(scene);
     }
@@ -106,7 +113,7 @@ double meanOf(const std::vector<double>& values) {
 }  // namespace
 
 MotionTrial::MotionTrial(const MovingBody& original, const SolverModel& model, Job& job)
-    : state_(new State{original, model, refusalOf(original, model), {}, {}}) {
+    : state_(new State{original, model, refusalOf(original, model), {}, {}, {}}) {
   if (!state_->refusal.empty()) return;
   {
     const WholePhase phase(job, Phase::Simulate);
@@ -117,7 +124,8 @@ MotionTrial::MotionTrial(const MovingBody& original, const SolverModel& model, J
     return;
   }
   state_->moveOriginal(job);
-  if (state_->scenes.empty()) state_->refusal = "the time steps of the original do not converge";
+  if (state_->scenes.empty())
+    state_->refusal = "the time steps of the original do not converge or take too long";
 }
 
 MotionTrial::~MotionTrial() = default;
@@ -146,12 +154,8 @@ std::optional<double> MotionTrial::deviationOf(const MovingBody& body, Job& job)
   return deviations ? std::optional(meanOf(*deviations)) : std::nullopt;
 }
 
-std::optional<double> MotionTrial::noiseFloor(Job& job) {
-  if (!refusal().empty()) return std::nullopt;
-  const auto moved = state_->run(state_->original, kLongStride, job);
-  if (!moved) return std::nullopt;
-  const double order = state_->model.bend == BendElement::Morley ? 1 : 2;
-  return meanOf(state_->deviationsFrom(*moved)) / (std::exp2(order) - 1);
+double MotionTrial::noiseFloor() const {
+  return meanOf(state_->noises);
 }
 
 }  // namespace limber

@@ -27,8 +27,8 @@ namespace limber {
 // noticeable share of the energy of the swing, and for `hang` of that joined with a pendulum's.
 class MotionTrial {
  public:
-  // Moves the original, which must outlive this object with all that it refers to. Throws Cancelled, and
-  // std::invalid_argument as SolverConstraints does.
+  // Moves the original, twice, which must outlive this object with all that it refers to. Throws Cancelled,
+  // and std::invalid_argument as SolverConstraints does.
   MotionTrial(const MovingBody& original, const SolverModel& model, Job& job);
   ~MotionTrial();
   MotionTrial(MotionTrial&&) noexcept;
@@ -49,9 +49,8 @@ class MotionTrial {
 
   // What the steps in time alone contribute to a deviation, in % of the diagonal: the difference between the
   // original with the step of the trial and with twice that step, over 3 for steps of second order and over 1
-  // for those of first order (Richardson). Moves the original once more. Nothing if there is no trial. Throws
-  // Cancelled.
-  std::optional<double> noiseFloor(Job& job);
+  // for those of first order (Richardson). 0 if there is no trial.
+  double noiseFloor() const;
 
  private:
   struct State;

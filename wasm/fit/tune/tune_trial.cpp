@@ -48,9 +48,9 @@ TrialOutcome tryMotion(const TrialBodies& bodies, const std::vector<TuneCandidat
   if (!trial.refusal().empty()) return {.refusal = trial.refusal()};
   const MovingBody body{result, topology, options.result, {options.pinnedResult, {}}, masses, {}};
   const std::optional<double> untouched = trial.deviationOf(body, job);
-  const double noise = trial.noiseFloor(job).value_or(0);
+  const double noise = trial.noiseFloor();
   const BestCandidate best = bestOf(candidates, body, {trial, noise}, job);
-  if (!untouched || !best.deviation) return {.refusal = "the time steps of the coarse mesh do not converge"};
+  if (!untouched || !best.deviation) return {.refusal = "the time steps of the coarse mesh do not converge or take too long"};
   const double tuned = *best.deviation;
   return {
       .motion = TunedMotion{trial.scene(), *untouched, tuned, noise,

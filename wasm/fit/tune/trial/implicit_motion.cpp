@@ -17,7 +17,7 @@ double inertiaOfBdf2(double step) {
 ImplicitMotion::ImplicitMotion(const ConstrainedBody& body, const ImplicitOptions& options, Job& job)
     : options_(options),
       system_(body, inertiaOfBdf2(options.step), job),
-      minimiser_(system_, options.motionSize),
+      minimiser_(system_, options.motionSize, options.mostWork),
       pinned_(body.pins.vertices) {
   const std::span<const Vec3> rest = body.constraints.rest();
   now_.positions.assign(rest.begin(), rest.end());

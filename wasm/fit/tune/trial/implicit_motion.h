@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,6 +15,8 @@ struct ImplicitOptions {
   double step = 0;        // seconds, > 0
   double motionSize = 0;  // metres, > 0: the size of the motion, which the error of a step is relative to
   Vec3 gravity = {};      // m/s2
+  // Of all steps together, see StepMinimiser::work.
+  double mostWork = std::numeric_limits<double>::infinity();
 };
 
 // The motion of a constrained body by implicit steps. They are stable for any stiffness, and their error is
@@ -39,8 +42,8 @@ class ImplicitMotion {
   // Where the pins are to be at the end of the next step, in metres: pinned vertices, then pinned points.
   void setPinTargets(std::span<const Vec3> targets);
 
-  // Advances by one step. False if the shortest steps did not converge either, or to nothing finite; the
-  // motion must not be used any more then. Throws Cancelled.
+  // Advances by one step. False if the shortest steps did not converge either, or to nothing finite, or once
+  // the most work is done; the motion must not be used any more then. Throws Cancelled.
   bool step(Job& job);
 
   // Of all vertices, in metres and m/s.

@@ -49,18 +49,19 @@ double largest(const Eigen::VectorXd& unknowns) {
   return std::isfinite(unknowns.sum()) ? std::sqrt(squared) : std::numeric_limits<double>::infinity();
 }
 
-double priceOf(const FactorStructure& structure) {
-  const double solve = 2.0 * static_cast<double>(std::max<uint64_t>(1, structure.valueCount));
-  return std::max(1.0, structure.work() / (kDenseSpeed * solve));
+double solveWorkOf(const FactorStructure& structure) {
+  return 2.0 * static_cast<double>(std::max<uint64_t>(1, structure.valueCount));
 }
 
 }  // namespace
 
-StepMinimiser::StepMinimiser(ImplicitSystem& system, double motionSize)
+StepMinimiser::StepMinimiser(ImplicitSystem& system, double motionSize, double mostWork)
     : system_(system),
       factorisation_(system.pencil(), system.structure()),
       motionSize_(motionSize),
-      price_(priceOf(*system.structure())) {}
+      mostWork_(mostWork),
+      solveWork_(solveWorkOf(*system.structure())),
+      price_(std::max(1.0, system.structure()->work() / (kDenseSpeed * solveWork_))) {}
 
 double StepMinimiser::valueAt(const StepObjective& objective, const State& x) const {
   double inertia = 0;
@@ -173,6 +174,7 @@ bool StepMinimiser::minimise(const StepObjective& objective, State& x, Job& job)
   bool isNear = false, isOwn = false;  // isOwn: the factorisation was made in this step
   for (int i = 0; i < kMostIterations; ++i) {
     job.check();
+    if (work() > mostWork_) return false;
     const Eigen::VectorXd gradient = linearise(objective, point.x, job);
     const Eigen::VectorXd direction = newtonDirection(gradient, objective.inertia, job);
     const double size = largest(direction), growth = gradient.dot(direction);

@@ -28,17 +28,20 @@ class StepMinimiser {
  public:
   using State = std::vector<Vec3>;
 
-  // Refers to the system. `motionSize`: metres, what errors are relative to.
-  StepMinimiser(ImplicitSystem& system, double motionSize);
+  // Refers to the system. `motionSize`: metres, what errors are relative to. `mostWork`: see work().
+  StepMinimiser(ImplicitSystem& system, double motionSize, double mostWork);
 
   // Moves the free vertices of x to the minimum. False if Newton's method does not converge, or to nothing
-  // finite; x is of no meaning then. Throws Cancelled.
+  // finite, or once the work of all minima together is more than the most; x is of no meaning then. Throws
+  // Cancelled.
   bool minimise(const StepObjective& objective, State& x, Job& job);
   double valueAt(const StepObjective& objective, const State& x) const;
 
   // Numbers of linear solves and of factorisations so far.
   uint32_t solveCount() const { return solveCount_; }
   uint32_t factorisationCount() const { return factorisationCount_; }
+  // Multiplications of all solves so far, and those of factorisations by the time that they take beside them.
+  double work() const { return (solveCount_ + price_ * factorisationCount_) * solveWork_; }
 
  private:
   struct Point {
@@ -55,7 +58,8 @@ class StepMinimiser {
 
   ImplicitSystem& system_;
   Factorisation factorisation_;
-  double motionSize_;
+  double motionSize_, mostWork_;
+  double solveWork_;          // multiplications of a solve
   double price_;              // of a factorisation, in solves
   double rent_ = 0;           // solves since the last factorisation that a fresh one would have spared
   double factorInertia_ = 0;  // of the last factorisation, 0 before the first

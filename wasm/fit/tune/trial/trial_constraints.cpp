@@ -3,6 +3,14 @@
 #include "fit/tune/trial/implicit_motion.h"
 
 namespace limber {
+namespace {
+
+// What a body may take in a scene, see StepMinimiser::work: about 15 seconds on one thread. A sway of 5,500
+// faces takes a tenth of it, and the fall of a sheet of 3,000 faces a half; what crumples under its weight has
+// no end.
+constexpr double kMostWork = 2e10;
+
+}  // namespace
 
 TrialDisplacements moveConstraints(const TrialRun& run, const SolverModel& model, Job& job) {
   const auto& [scene, body, pins, samples, stride, recordEvery, report] = run;
@@ -11,7 +19,7 @@ TrialDisplacements moveConstraints(const TrialRun& run, const SolverModel& model
   const bool hasHinges = model.bend != BendElement::CrossSprings;
   ImplicitMotion motion(
       {constraints, body.mesh, masses, body.factors, pins, hasHinges ? body.constants.stretch : 0},
-      {stride * scene.step, scene.motionSize, scene.gravity}, job);
+      {stride * scene.step, scene.motionSize, scene.gravity, kMostWork}, job);
   motion.setVelocities(run.startVelocities());
   std::vector<Vec3> rest, displacements;
   for (const SurfacePoint& sample : samples)
