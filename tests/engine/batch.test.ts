@@ -125,8 +125,8 @@ describe('limber batch', () => {
     const { code, stderr } = batch('--quiet');
     expect(code).toBe(1);
     expect(stderr.trim().split('\n')).toEqual([
-      expect.stringMatching(/^limber: =1\+1\.obj: /),
-      'limber: bad.obj: bad.obj, line 1: z is nan, not a finite number.',
+      'limber: =1+1.obj, line 1: "nothing" is not OBJ, and the file has no faces: is it a mesh?',
+      'limber: bad.obj, line 1: z is nan, not a finite number.',
     ]);
     expect(totals()).toMatchObject({ assets: 4, done: 2, failed: 2 });
     expect(bytes('out/summary.csv').toString()).toContain(`'=1+1.obj,failed`);

@@ -24,7 +24,7 @@ import { optionsOfFlags } from '../../web/cli/batch/orders';
 import { cameraOn } from '../../web/cli/batch/picture/camera';
 import { encodePng } from '../../web/cli/batch/picture/png';
 import { draw } from '../../web/cli/batch/picture/raster';
-import { BatchProgress } from '../../web/cli/batch/progress';
+import { BatchProgress, sentenceOn } from '../../web/cli/batch/progress';
 import { failedRecord, NO_NUMBERS } from '../../web/cli/batch/record';
 import type { AssetRecord } from '../../web/cli/batch/record';
 import { assetsOf } from '../../web/cli/batch/sources';
@@ -340,6 +340,14 @@ describe('progress', () => {
     expect(said(false)).toBe('[1/2] a?[31m.obj: failed: no\n');
     expect(said(true)).toContain('\r1 of 2 assets, 1 failed: ');
     expect(said(true)).not.toContain('\u001b');
+  });
+
+  it('ends with sentences that name each asset once and have one mark at their end', () => {
+    expect(sentenceOn('a/b.obj', 'b.obj, line 1: "x" is not OBJ: is it a mesh?')).toBe(
+      'a/b.obj, line 1: "x" is not OBJ: is it a mesh?',
+    );
+    expect(sentenceOn('b.obj', 'b.object is missing.')).toBe('b.obj: b.object is missing.');
+    expect(sentenceOn('b.obj', 'stopped at 5 faces')).toBe('b.obj: stopped at 5 faces.');
   });
 });
 

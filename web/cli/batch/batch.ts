@@ -19,6 +19,7 @@ import { takeLock } from './lock';
 import { memoryLimit } from './memory';
 import { requestsOf } from './orders';
 import type { AssetRequest } from './orders';
+import { sentenceOn } from './progress';
 import { OWN_FOLDER } from './results';
 import { BatchRun } from './run';
 import { findSources } from './sources';
@@ -142,8 +143,7 @@ function finish(args: Arguments, out: string, summary: Summary): number {
     process.stdout.write(`${plain(`${describeTotals(totals)} -> ${join(out, 'summary.html')}`)}\n`);
   for (const { asset, state, sentences } of assets) {
     const told = state === 'done' ? (args.verbose ? sentences : []) : sentences.slice(0, 1);
-    for (const sentence of told)
-      process.stderr.write(`limber: ${plain(`${asset}: ${sentence.replace(/\.$/, '')}`)}.\n`);
+    for (const sentence of told) process.stderr.write(`limber: ${plain(sentenceOn(asset, sentence))}\n`);
   }
   if (totals.failed > 0) return EXIT.badInput;
   return totals.missed > 0 ? EXIT.missedTarget : EXIT.done;

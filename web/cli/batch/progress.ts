@@ -67,6 +67,14 @@ export class BatchProgress {
   }
 }
 
+/** What is said of an asset as a whole sentence: after its path, which stands in place of its file's name. */
+export function sentenceOn(asset: string, sentence: string): string {
+  const name = asset.slice(asset.lastIndexOf('/') + 1);
+  const isNamed = sentence.startsWith(name) && /^[ ,:]/.test(sentence.slice(name.length));
+  const said = isNamed ? `${asset}${sentence.slice(name.length)}` : `${asset}: ${sentence}`;
+  return /[.?!]$/.test(said) ? said : `${said}.`;
+}
+
 /** What became of an asset, after its name. */
 export function describeRecord({ state, sentences, ...numbers }: AssetRecord): string {
   if (state === 'failed') return `failed: ${sentences[0]}`;
