@@ -3,9 +3,10 @@
  * which a run gathers what earlier journals have. A kill at any moment leaves at most half a line at the end, which does not count.
  */
 
-import { closeSync, existsSync, fsyncSync, openSync, readFileSync, rmSync, writeSync } from 'node:fs';
+import { closeSync, existsSync, fsyncSync, openSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { writeWhole } from '../files';
+import { LineFile } from './line_file';
 import type { AssetRecord } from './record';
 
 const MANIFEST_SCHEMA = 'limber-batchmanifest/1';
@@ -17,7 +18,7 @@ interface Manifest {
 
 export class Journal {
   private readonly records: Map<string, AssetRecord>;
-  private file: number | null = null;
+  private lines: LineFile | null = null;
 
   /** Reads what earlier runs have left in `folder`, which need not exist. `notes`: what of it could not be used. */
   constructor(
@@ -38,23 +39,21 @@ export class Journal {
   }
 
   /**
-   * Remembers a finished asset; when this returns, it is on the disk. The results of one that has failed are as they were, and so is what
-   * is remembered of them.
+   * Remembers a finished asset; a kill after this returns does not undo it. The results of one that has failed are as they were, and so
+   * is what is remembered of them.
    */
   add(finished: AssetRecord): void {
     const { written = [] } = this.records.get(finished.asset) ?? {};
     const record = finished.state === 'failed' ? { ...finished, written } : finished;
     this.records.set(record.asset, record);
-    this.file ??= openSync(join(this.folder, 'journal.jsonl'), 'a');
-    // The newline before it ends what an earlier run may have left of a line.
-    writeSync(this.file, `\n${JSON.stringify(record)}\n`);
-    fsyncSync(this.file);
+    this.lines ??= new LineFile(join(this.folder, 'journal.jsonl'));
+    this.lines.add(JSON.stringify(record));
   }
 
   /** Gathers everything in the manifest; the folder has to exist. A kill in between leaves lines twice, which does no harm. */
   gather(): void {
-    if (this.file !== null) closeSync(this.file);
-    this.file = null;
+    this.lines?.close();
+    this.lines = null;
     const assets = this.all().sort((a, b) => (a.asset < b.asset ? -1 : 1));
     const manifest: Manifest = { schema: MANIFEST_SCHEMA, assets };
     const path = join(this.folder, 'manifest.json');

@@ -55,29 +55,25 @@ function project(
 
 /** Fills the pixels whose middles lie in the triangle, where nothing nearer is. */
 function fill({ side, grey, depth }: Target, p: Float64Array): void {
-  const [ux, uy, uz, vx, vy, vz] = [
-    p[3] - p[0],
-    p[4] - p[1],
-    p[5] - p[2],
-    p[6] - p[0],
-    p[7] - p[1],
-    p[8] - p[2],
-  ];
+  // The numbers are named one by one: arrays of them would be made anew for every pixel.
+  const ux = p[3] - p[0];
+  const uy = p[4] - p[1];
+  const uz = p[5] - p[2];
+  const vx = p[6] - p[0];
+  const vy = p[7] - p[1];
+  const vz = p[8] - p[2];
   const area = ux * vy - uy * vx;
   if (!Number.isFinite(area) || area === 0) return;
   const value = shade(uy * vz - uz * vy, uz * vx - ux * vz, area);
-  const clamp = (at: number) => Math.min(side - 1, Math.max(0, at));
-  const [x0, x1] = [
-    clamp(Math.floor(Math.min(p[0], p[3], p[6]))),
-    clamp(Math.ceil(Math.max(p[0], p[3], p[6]))),
-  ];
-  const [y0, y1] = [
-    clamp(Math.floor(Math.min(p[1], p[4], p[7]))),
-    clamp(Math.ceil(Math.max(p[1], p[4], p[7]))),
-  ];
+  const last = side - 1;
+  const x0 = clamp(Math.floor(Math.min(p[0], p[3], p[6])), last);
+  const x1 = clamp(Math.ceil(Math.max(p[0], p[3], p[6])), last);
+  const y0 = clamp(Math.floor(Math.min(p[1], p[4], p[7])), last);
+  const y1 = clamp(Math.ceil(Math.max(p[1], p[4], p[7])), last);
   for (let y = y0; y <= y1; ++y)
     for (let x = x0; x <= x1; ++x) {
-      const [dx, dy] = [x + 0.5 - p[0], y + 0.5 - p[1]];
+      const dx = x + 0.5 - p[0];
+      const dy = y + 0.5 - p[1];
       const b = (dx * vy - dy * vx) / area;
       const c = (ux * dy - uy * dx) / area;
       if (b < 0 || c < 0 || b + c > 1) continue;
@@ -87,6 +83,8 @@ function fill({ side, grey, depth }: Target, p: Float64Array): void {
       grey[y * side + x] = value;
     }
 }
+
+const clamp = (at: number, last: number): number => Math.min(last, Math.max(0, at));
 
 /** Of a normal of any length whose side does not matter; y of the picture goes down. */
 function shade(x: number, y: number, z: number): number {
