@@ -1,5 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { excerpt, quotedJson } from '../../web/engine/core/words';
+import { excerpt, grouped, quotedJson } from '../../web/engine/core/words';
+
+describe('a whole number', () => {
+  it.each([0, 7, 999, 1000, 12345, 123456, 1234567, -999, -1000, -1234567, Number.MAX_SAFE_INTEGER])(
+    'is written as toLocaleString writes it: %d',
+    (value) => expect(grouped(value)).toBe(value.toLocaleString('en-US')),
+  );
+});
 
 describe('what a sentence quotes of a file', () => {
   it('is whole where it is short', () => {

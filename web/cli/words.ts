@@ -1,6 +1,8 @@
 /** Numbers and tables as people read them. */
 
-export const count = (value: number): string => value.toLocaleString('en-US');
+import { grouped } from '../engine/core/words';
+
+export const count = grouped;
 
 export const plural = (value: number, one: string, many: string): string =>
   `${count(value)} ${value === 1 ? one : many}`;

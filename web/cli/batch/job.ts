@@ -3,6 +3,7 @@
 import { fork } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
 import { mkdirSync, rmSync } from 'node:fs';
+import { count } from '../words';
 import { memoryOf } from './memory';
 import type { WorkDone, WorkOrder } from './messages';
 import { failedRecord } from './record';
@@ -96,7 +97,7 @@ export class Job {
   }
 
   private tooLarge(): string {
-    const megabytes = Math.floor(this.options.memory / MEGABYTE).toLocaleString('en-US');
+    const megabytes = count(Math.floor(this.options.memory / MEGABYTE));
     return `takes more than the ${megabytes} MB of a job: give more with --memory, or fewer --jobs`;
   }
 

@@ -3,6 +3,7 @@
 import { accessSync, constants, existsSync, statfsSync, statSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { sum } from '../../engine/core/mesh';
+import { grouped } from '../../engine/core/words';
 import type { OpenModel } from '../../engine/document/open';
 import { formOfName } from '../../engine/document/write/output_form';
 import { isOwnFile } from './own_files';
@@ -170,7 +171,7 @@ export function sizeOfModel({ document, bodies }: OpenModel): ModelSize {
   return { model: sum(numbers) + sum(pictures), positions };
 }
 
-const megabytes = (bytes: number): string => Math.ceil(bytes / 2 ** 20).toLocaleString('en-US');
+const megabytes = (bytes: number): string => grouped(Math.ceil(bytes / 2 ** 20));
 
 interface Room {
   /** the same for folders on one disk */

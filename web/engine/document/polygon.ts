@@ -2,6 +2,7 @@
 
 import earcut from 'earcut';
 import { arcCosine, length3 } from '../core/exact_math';
+import { grouped } from '../core/words';
 
 /** A corner closer than this to the line through its neighbours is moved inwards by as much; relative to the size. */
 const DENT = 1e-6;
@@ -51,7 +52,7 @@ export function trianglesOfPolygon(polygon: number[], positions: Float32Array): 
 
 /** Why a polygon could not be triangulated, as a clause. */
 export const describeTooLarge = (corners: number): string =>
-  `a face has ${corners.toLocaleString('en-US')} corners and is not convex, of such at most ${MOST_CORNERS.toLocaleString('en-US')} can be cut into triangles: triangulate it before the export`;
+  `a face has ${grouped(corners)} corners and is not convex, of such at most ${grouped(MOST_CORNERS)} can be cut into triangles: triangulate it before the export`;
 
 function fan(corners: number[], start: number): number[] {
   const count = corners.length;

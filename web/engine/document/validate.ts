@@ -1,6 +1,7 @@
 /** The Khronos validator, loaded when it is first needed. */
 
 import { sum } from '../core/mesh';
+import { grouped } from '../core/words';
 import { unpacked } from './archive/read_zip';
 import { companionPath } from './checks/companions';
 import { isGlb } from './glb';
@@ -70,8 +71,7 @@ export async function describeAddedErrors(
   const added = addedErrors(found, before);
   if (added.length === 0) return null;
   const shown = added.slice(0, ERRORS_SHOWN).map((message) => message.replace(/\.$/, ''));
-  const more =
-    added.length > ERRORS_SHOWN ? `; and ${(added.length - ERRORS_SHOWN).toLocaleString('en-US')} more` : '';
+  const more = added.length > ERRORS_SHOWN ? `; and ${grouped(added.length - ERRORS_SHOWN)} more` : '';
   return `${shown.join('; ')}${more}`;
 }
 

@@ -2,7 +2,7 @@
 
 import type { PreparedBody } from '../body/prepared_body';
 import { sum } from '../core/mesh';
-import { counted } from '../core/words';
+import { counted, grouped } from '../core/words';
 import { worstSurface } from '../report/result_report';
 import { describeRefused, isBlockedBySeams, stopReport } from '../report/stop_report';
 import type { StoppedBody } from '../report/stop_report';
@@ -12,8 +12,6 @@ import type { FileOutput } from './file_output';
 import { STAGES } from './stages';
 
 const DEFAULT_RATIO = 0.5;
-
-const shown = (faces: number): string => faces.toLocaleString('en-US');
 
 /** Limits that are guards by default, of which nothing is missed. */
 export const LIMITS = ['maxDeviation', 'maxFrequencyError'] as const satisfies SettingName[];
@@ -98,7 +96,7 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
   const [{ body, faces, deviation, limit }] = [...guarded].sort((a, b) => b.deviation - a.deviation);
   const others =
     guarded.length > 1 ? ` and ${counted(guarded.length - 1, 'other body', 'other bodies')}` : '';
-  return `${where}${body}${others} stopped at ${shown(faces)} faces, ${deviation.toFixed(2)} % of its diagonal from the original: fewer would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
+  return `${where}${body}${others} stopped at ${grouped(faces)} faces, ${deviation.toFixed(2)} % of its diagonal from the original: fewer would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
 }
 
 /** What lies within rounding of a limit keeps it. */
@@ -144,7 +142,7 @@ function describeMiss(
     (body, i) => isExhausted(body) && isBlockedBySeams(originals[i], body.history.refused, settings),
   );
   const cure = isBlocked ? `; ${nameOf('seams')} cross lets them give way` : '';
-  return `${where}Stopped at ${shown(after)} faces${which}, not ${shown(target)}: ${reasons}${cure}`;
+  return `${where}Stopped at ${grouped(after)} faces${which}, not ${grouped(target)}: ${reasons}${cure}`;
 }
 
 const isExhausted = (body: StoppedBody): boolean => stopReport([body]).reason === 'exhausted';
