@@ -22,7 +22,26 @@ namespace {
 using Values = Eigen::Map<Eigen::MatrixXd>;
 using ConstValues = Eigen::Map<const Eigen::MatrixXd>;
 using RowsOfOne = Eigen::VectorXd;
-using RowsOfMany = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using AllRowsOfMany = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowsOfMany = Eigen::Map<AllRowsOfMany, 0, Eigen::OuterStride<>>;  // some of their columns
+
+constexpr Eigen::Index kLeastColumns = 16;  // right-hand sides that one thread solves for at the top
+
+// Calls `solve` with the columns of y, several threads each with some of them. Every column is solved alike
+// whatever is beside it.
+template <class Solve>
+void forEachPart(RowsOfOne& y, const Solve& solve) {
+  solve(y);
+}
+
+template <class Solve>
+void forEachPart(RowsOfMany& y, const Solve& solve) {
+  const auto columns = static_cast<size_t>(y.cols()), parts = std::max<size_t>(1, y.cols() / kLeastColumns);
+  parallelFor(columns, (columns + parts - 1) / parts, [&](size_t begin, size_t end) {
+    RowsOfMany part(y.data() + begin, y.rows(), static_cast<Eigen::Index>(end - begin), y.outerStride());
+    solve(part);
+  });
+}
 
 }  // namespace
 
@@ -167,11 +186,13 @@ void Factorisation::solveRows(Rows& y, const Job& job) const {
     }
   };
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(position) += y.row(slot); });
-  const uint32_t scratch = structure_->topScratch;
-  for (uint32_t f : structure_->top) forward(structure_->fronts[f], scratch, y);
-  for (uint32_t p = 0; p < structure_->unknownCount; ++p) y.row(p) /= diagonal_[p];
-  for (auto f = structure_->top.rbegin(); f != structure_->top.rend(); ++f)
-    backward(structure_->fronts[*f], scratch, y);
+  forEachPart(y, [&](Rows& part) {
+    const uint32_t scratch = structure_->topScratch;
+    for (uint32_t f : structure_->top) forward(structure_->fronts[f], scratch, part);
+    for (uint32_t p = 0; p < structure_->unknownCount; ++p) part.row(p) /= diagonal_[p];
+    for (auto f = structure_->top.rbegin(); f != structure_->top.rend(); ++f)
+      backward(structure_->fronts[*f], scratch, part);
+  });
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(slot) = y.row(position); });
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
     for (size_t t = begin; t < end; ++t) {
@@ -192,7 +213,8 @@ void Factorisation::solve(Eigen::VectorXd& x, const Job& job) const {
 }
 
 void Factorisation::solve(Eigen::MatrixXd& x, const Job& job) const {
-  RowsOfMany y(structure_->workRows, x.cols());
+  AllRowsOfMany all(structure_->workRows, x.cols());
+  RowsOfMany y(all.data(), all.rows(), all.cols(), all.outerStride());
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) y.row(p) = x.row(structure_->unknownAt[p]);
   solveRows(y, job);
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) x.row(structure_->unknownAt[p]) = y.row(p);

@@ -34,6 +34,19 @@ void factoriseDiagonalBlock(Block a, Eigen::Ref<Eigen::VectorXd> d) {
   }
 }
 
+// Calls update(first, count) for stripes of `columns` columns, on several threads where `work`
+// multiplications pay for that. Each stripe is computed alike whatever the number of threads.
+template <class Update>
+void forEachStripe(Eigen::Index columns, double work, const Update& update) {
+  const auto stripes = static_cast<size_t>((columns + kStripe - 1) / kStripe);
+  parallelFor(stripes, work > kWorkForThreads ? 1 : stripes, [&](size_t begin, size_t end) {
+    for (size_t stripe = begin; stripe < end; ++stripe) {
+      const auto first = static_cast<Eigen::Index>(stripe) * kStripe;
+      update(first, std::min(kStripe, columns - first));
+    }
+  });
+}
+
 }  // namespace
 
 void partialLdlt(Columns columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd& update, Job& job) {
@@ -49,26 +62,20 @@ void partialLdlt(Columns columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd
     const Eigen::Index left = pivots - next;
     scaled = panel.topRows(left).transpose();  // D L^T
     panel *= d.segment(start, width).cwiseInverse().asDiagonal();
-    for (Eigen::Index first = 0; first < left; first += kStripe) {
-      const Eigen::Index count = std::min(kStripe, left - first);
+    const double work = static_cast<double>(left) * static_cast<double>(below) * static_cast<double>(width);
+    forEachStripe(left, work, [&](Eigen::Index first, Eigen::Index count) {
       subtractProduct(panel.bottomRows(below - first), scaled.middleCols(first, count),
                       columns.block(next + first, next + first, below - first, count));
-    }
+    });
   }
   if (boundary == 0) return;
   const auto lower = columns.bottomRows(boundary);
   scaled.noalias() = d.asDiagonal() * lower.transpose();
-  const auto updateStripe = [&](Eigen::Index first) {
+  const double work = static_cast<double>(boundary) * boundary * pivots;
+  forEachStripe(boundary, work, [&](Eigen::Index first, Eigen::Index count) {
     job.check();
-    const Eigen::Index count = std::min(kStripe, boundary - first);
     subtractProduct(lower.bottomRows(boundary - first), scaled.middleCols(first, count),
                     update.block(first, first, boundary - first, count));
-  };
-  const auto stripes = static_cast<size_t>((boundary + kStripe - 1) / kStripe);
-  const double work = static_cast<double>(boundary) * boundary * pivots;
-  parallelFor(stripes, work > kWorkForThreads ? 1 : stripes, [&](size_t begin, size_t end) {
-    for (size_t stripe = begin; stripe < end; ++stripe)
-      updateStripe(static_cast<Eigen::Index>(stripe) * kStripe);
   });
 }
 
