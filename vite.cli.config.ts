@@ -14,6 +14,10 @@ export default defineConfig({
     outDir: 'dist/cli',
     emptyOutDir: true,
     target: 'node20',
-    rolldownOptions: { output: { entryFileNames: 'limber.mjs', chunkFileNames: '[name].mjs' } },
+    rolldownOptions: {
+      // glTF-Transform makes one for a function that is not used: it loads the tables of languages.
+      treeshake: { manualPureFunctions: ['Intl.NumberFormat'] },
+      output: { entryFileNames: 'limber.mjs', chunkFileNames: '[name].mjs' },
+    },
   },
 });
