@@ -16,8 +16,8 @@ namespace limber {
 //
 // The method is multifrontal (Duff and Reid 1983; Liu 1992): supernodes become dense fronts, each front adds
 // the updates of its children, eliminates its pivots and passes an update on to its parent. Subtrees go to
-// threads as tasks, large fronts share their columns among
-// threads, and solves with large fronts their right-hand sides.
+// threads as tasks, large fronts share their columns among threads, and solves with them their right-hand
+// sides.
 //
 // There is no pivoting. For a negative shift the matrix is positive definite, which needs none. For other
 // shifts the factor may be inaccurate near an eigenvalue, but by Sylvester's law of inertia the signs of D
