@@ -297,6 +297,40 @@ TEST(SimplifyConstraints, attributesThatAreLinearOnEachSideOfASeamCostNothing) {
   for (size_t i = 0; i < 100; ++i) ASSERT_EQ(a.removed[i], b.removed[i]) << i;
 }
 
+TEST(SimplifyConstraints, textureCoordinatesCostAsMuchAsTheirTrianglesWeigh) {
+  const TriangleMesh mesh = roughSheet();
+  std::vector<float> waves;
+  for (const Vec3& p : mesh.positions)
+    for (const double u : {std::sin(9 * p.x) * std::sin(8 * p.y), std::cos(9 * p.x)})
+      waves.push_back(static_cast<float>(0.05 * u));
+  const auto shareOfRight = [&](double left, double right) {
+    std::vector<float> weights;
+    for (const auto& [a, b, c] : mesh.triangles)
+      weights.push_back(static_cast<float>(mesh.positions[a].x + mesh.positions[b].x < 2 ? left : right));
+    const SimplifyConstraints constraints{
+        .attributes = waves, .textureWeights = weights, .attributeDimension = 2};
+    const TriangleMesh quarter =
+        meshAt(mesh, run(mesh, constraints, Method::Limber), mesh.triangleCount() / 4).mesh;
+    const auto count = std::ranges::count_if(quarter.positions, [](const Vec3& p) { return p.x > 1; });
+    return static_cast<double>(count) / quarter.vertexCount();
+  };
+  EXPECT_NEAR(shareOfRight(1, 1), 0.5, 0.1);
+  EXPECT_GT(shareOfRight(0, 1), 0.65);
+  EXPECT_LT(shareOfRight(1, 0), 0.35);
+}
+
+TEST(SimplifyConstraints, textureWeightsOfOneChangeNothing) {
+  const TriangleMesh mesh = roughSheet();
+  std::vector<float> waves;
+  for (const Vec3& p : mesh.positions)
+    for (const double u : {0.05 * std::sin(9 * p.x), 0.1 * p.y, 0.02 * std::cos(8 * p.y)})
+      waves.push_back(static_cast<float>(u));
+  const std::vector<float> ones(mesh.triangleCount(), 1);
+  const History a = run(mesh, {.attributes = waves, .attributeDimension = 3});
+  const History b = run(mesh, {.attributes = waves, .textureWeights = ones, .attributeDimension = 3});
+  EXPECT_EQ(a.removed, b.removed);
+}
+
 TEST(SimplifyConstraints, aSeamGivesUpMoreOfItsVerticesThanAnOutline) {
   const TriangleMesh mesh = shapes::jittered(shapes::sphere(4), 0.2, 5);
   const auto groups = halves(mesh, 0);
@@ -356,6 +390,7 @@ TEST(SimplifyConstraints, listsThatDoNotFitAreRefusedWithASentence) {
   const TriangleMesh mesh = shapes::sphere(1);
   const std::vector<uint32_t> numbers(7);
   const std::vector<float> floats(mesh.vertexCount(), 2);
+  const std::vector<float> tooLarge(mesh.triangleCount(), 1.5F);
   const std::vector<uint8_t> bytes(7);
   const std::vector<uint32_t> lastWedge(3 * size_t{mesh.triangleCount()}, UINT32_MAX);
   const SimplifyConstraints bad[] = {{.wedges = numbers},
@@ -363,6 +398,8 @@ TEST(SimplifyConstraints, listsThatDoNotFitAreRefusedWithASentence) {
                                      {.locked = bytes},
                                      {.keep = floats},
                                      {.pinnedSets = numbers},
+                                     {.textureWeights = floats},
+                                     {.textureWeights = tooLarge},
                                      {.attributes = floats, .attributeDimension = 9},
                                      {.creaseAngle = 181},
                                      {.attributes = floats, .attributeDimension = 2},

@@ -26,7 +26,7 @@ namespace {
 // The storage behind SimplifyConstraints.
 struct ConstraintLists {
   std::vector<uint32_t> wedges, groups, pinnedSets, mirror;
-  std::vector<float> keep, attributes;
+  std::vector<float> keep, attributes, textureWeights;
   std::vector<uint8_t> locked;
   uint32_t attributeDimension = 0;
   uint32_t displacementFields = 0;
@@ -40,6 +40,7 @@ struct ConstraintLists {
             .keep = keep,
             .pinnedSets = pinnedSets,
             .attributes = attributes,
+            .textureWeights = textureWeights,
             .mirror = mirror,
             .attributeDimension = attributeDimension,
             .displacementFields = displacementFields,
@@ -57,6 +58,7 @@ struct Fields<ConstraintLists> {
       optionalField("locked", &ConstraintLists::locked), optionalField("keep", &ConstraintLists::keep),
       optionalField("pinnedSets", &ConstraintLists::pinnedSets),
       optionalField("attributes", &ConstraintLists::attributes),
+      optionalField("textureWeights", &ConstraintLists::textureWeights),
       optionalField("attributeDimension", &ConstraintLists::attributeDimension),
       optionalField("displacementFields", &ConstraintLists::displacementFields),
       optionalField("mirror", &ConstraintLists::mirror),

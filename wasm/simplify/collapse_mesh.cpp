@@ -40,7 +40,7 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& 
                       .heir = kNone,
                       .triangles = static_cast<uint8_t>(std::min(edge.useCount, 3u)),
                       .feature = features.kinds[edges_.size()]});
-  collectQuadrics();
+  collectQuadrics(constraints.textureWeights);
 }
 
 void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& topology,
@@ -58,8 +58,9 @@ void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& top
   }
 }
 
-void CollapseMesh::collectQuadrics() {
-  for (const auto& [corners, edges] : faces_) {
+void CollapseMesh::collectQuadrics(std::span<const float> textureWeights) {
+  for (size_t t = 0; t < faces_.size(); ++t) {
+    const auto& [corners, edges] = faces_[t];
     const Vec3 &p = position(corners[0]), &q = position(corners[1]), &r = position(corners[2]);
     const Vec3 areaNormal = cross(q - p, r - p);
     const double twiceArea = length(areaNormal);
@@ -67,21 +68,23 @@ void CollapseMesh::collectQuadrics() {
     Quadric plane = planeQuadric(areaNormal, p, twiceArea > 0 ? 0.5 / twiceArea : 0);
     plane.area = 0.5 * twiceArea;
     for (const uint32_t v : corners) vertices_[v].quadric = vertices_[v].quadric + plane;
+    // A texture that slides costs as much as if the triangle were off by as far, but for what cannot be seen.
+    const double slide = plane.area * (textureWeights.empty() ? 1 : textureWeights[t]);
     for (int c = 0; c < 3; ++c) {
       if (!isFeature(edges[c])) continue;
       const uint32_t from = corners[nextIndex(c)], to = corners[previousIndex(c)];
       const Vec3 along = position(to) - position(from);
-      const Quadric across = planeQuadric(normalized(cross(along, areaNormal)), position(from),
-                                          featureWeight(edges[c], plane.area));
+      const Quadric across =
+          planeQuadric(normalized(cross(along, areaNormal)), position(from), featureWeight(edges[c], slide));
       for (const uint32_t v : {from, to}) vertices_[v].quadric = vertices_[v].quadric + across;
     }
   }
 }
 
 // How much the plane that stands on a triangle's feature edge counts. Outlines show wherever they go. A seam
-// shows as far as the texture slides, which costs as much as if the triangle were off by as far.
-double CollapseMesh::featureWeight(uint32_t edge, double area) const {
-  if (edges_[edge].triangles == 2 && edges_[edge].feature == FeatureKind::Seam) return area;
+// shows as far as the texture slides; `slide` is what that counts.
+double CollapseMesh::featureWeight(uint32_t edge, double slide) const {
+  if (edges_[edge].triangles == 2 && edges_[edge].feature == FeatureKind::Seam) return slide;
   const auto [a, b] = edges_[edge].ends;
   return kFeatureWeight * squaredLength(position(b) - position(a));
 }

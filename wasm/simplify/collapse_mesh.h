@@ -150,8 +150,8 @@ class CollapseMesh {
   };
 
   void collectVertices(const TriangleMesh& mesh, const Topology& topology, const FeatureEdges& features);
-  void collectQuadrics();
-  double featureWeight(uint32_t edge, double area) const;
+  void collectQuadrics(std::span<const float> textureWeights);
+  double featureWeight(uint32_t edge, double slide) const;
   bool isOn(const Face& face, uint32_t edge) const;
   void mergeEdges(uint32_t dying, uint32_t heir);
   void removeFromStar(uint32_t v, uint32_t triangle);

@@ -37,6 +37,10 @@ void checkAttributes(const TriangleMesh& mesh, const SimplifyConstraints& constr
         "An attribute that guides the simplification is not a number: repair it first.");
 }
 
+bool isShare(float x) {
+  return x >= 0 && x <= 1;
+}
+
 }  // namespace
 
 void checkConstraints(const TriangleMesh& mesh, const SimplifyConstraints& constraints) {
@@ -45,9 +49,12 @@ void checkConstraints(const TriangleMesh& mesh, const SimplifyConstraints& const
   checkSize(constraints.locked.size(), mesh.vertexCount(), "locked vertices", "vertices");
   checkSize(constraints.keep.size(), mesh.vertexCount(), "keep weights", "vertices");
   checkSize(constraints.pinnedSets.size(), mesh.vertexCount(), "pinned sets", "vertices");
+  checkSize(constraints.textureWeights.size(), mesh.triangleCount(), "texture weights", "triangles");
   checkSize(constraints.mirror.size(), mesh.vertexCount(), "mirror images", "vertices");
-  if (!std::ranges::all_of(constraints.keep, [](float x) { return x >= 0 && x <= 1; }))
+  if (!std::ranges::all_of(constraints.keep, isShare))
     throw std::invalid_argument("The keep weights must lie between 0 and 1.");
+  if (!std::ranges::all_of(constraints.textureWeights, isShare))
+    throw std::invalid_argument("The texture weights must lie between 0 and 1.");
   if (!(constraints.creaseAngle >= 0 && constraints.creaseAngle <= 180))
     throw std::invalid_argument("The crease angle must lie between 0 and 180 degrees.");
   checkAttributes(mesh, constraints);

@@ -36,6 +36,9 @@ struct SimplifyConstraints {
   // [wedge * attributeDimension + i], or [v * attributeDimension + i] without wedges: attributes that count
   // in the error, see AttributeQuadrics. A difference of 1 weighs as much as a distance of the diagonal.
   std::span<const float> attributes{};
+  // [t], in [0, 1]: the factor on the error of texture coordinates, the first two attributes, and on what a
+  // seam beside the triangle counts. Empty: 1.
+  std::span<const float> textureWeights{};
   // [v]: the vertex that v is the mirror image of, v itself on the plane of symmetry; see Mirror.
   std::span<const uint32_t> mirror{};
   uint32_t attributeDimension = 0;  // at most kAttributeLimit

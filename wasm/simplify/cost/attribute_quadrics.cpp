@@ -6,7 +6,7 @@
 namespace limber {
 namespace {
 
-constexpr uint32_t kMatrix = 0, kVector = 6, kConstant = 9, kArea = kFormSize;
+constexpr uint32_t kMatrix = 0, kVector = 6, kConstant = 9, kArea = kFormSize, kTextureArea = kArea + 1;
 // A triangle whose height is a smaller part of its longest edge has no meaningful gradient.
 constexpr double kSmallestHeight = 1e-4;
 // What a displacement within the surface counts beside one across it: little, but enough that flat sheets
@@ -47,10 +47,11 @@ void AttributeQuadrics::addTriangle(uint32_t t, const SimplifyConstraints& const
     const Vec3 g = alongQ * (value(1) - atP) + alongR * (value(2) - atP);
     fields[j] = {g.x, g.y, g.z, atP - dot(g, p)};
   }
+  const double texture = constraints.textureWeights.empty() ? 1 : constraints.textureWeights[t];
   const WeightedMetric triangle{metricAlong(normal / (2 * area), hasBorder(t) ? 1 : kWithinSurface), area};
   for (int c = 0; c < 3; ++c) {
     double* sums = sumsOf(mesh_.sector(Corner(t, c)));
-    addScalars(sums, fields.data(), area);
+    addScalars(sums, fields.data(), {area, texture * area});
     if (displacements_ > 0)
       addDisplacements(sums + displacementsAt(), sums,
                        std::span(fields).subspan(scalars_, 3 * displacements_), triangle);
@@ -62,9 +63,11 @@ bool AttributeQuadrics::hasBorder(uint32_t t) const {
   return std::ranges::any_of(mesh_.face(t).edges, [&](uint32_t e) { return mesh_.trianglesOnEdge(e) == 1; });
 }
 
-void AttributeQuadrics::addScalars(double* sums, const LinearField* fields, double area) const {
-  sums[kArea] += area;
+void AttributeQuadrics::addScalars(double* sums, const LinearField* fields, const Areas& areas) const {
+  sums[kArea] += areas.all;
+  sums[kTextureArea] += areas.texture;
   for (uint32_t j = 0; j < scalars_; ++j) {
+    const double area = j < kTextureSize ? areas.texture : areas.all;
     addSquare(sums, fields[j], area);
     for (int i = 0; i < 4; ++i) sums[kFields + 4 * j + i] += area * fields[j][i];
   }
@@ -102,16 +105,19 @@ Quadric AttributeQuadrics::residualOf(uint32_t first, uint32_t second) const {
   const double *p = sumsOf(first), *q = sumsOf(second);
   const double area = p[kArea] + q[kArea];
   if (!(area > 0)) return {};
-  double sums[kFields];
-  for (uint32_t i = 0; i < kFields; ++i) sums[i] = p[i] + q[i];
+  double sums[kFormSize];
+  for (uint32_t i = 0; i < kFormSize; ++i) sums[i] = p[i] + q[i];
   if (displacements_ > 0)
     takeMeansOff(sums, {p + displacementsAt(), q + displacementsAt()}, displacements_, area);
   for (uint32_t j = 0; j < scalars_; ++j) {
     const uint32_t at = kFields + 4 * j;
     const double x = p[at] + q[at], y = p[at + 1] + q[at + 1], z = p[at + 2] + q[at + 2];
-    const double d = p[at + 3] + q[at + 3], inverse = 1 / area;
+    const uint32_t areaOfField = j < kTextureSize ? kTextureArea : kArea;
+    const double d = p[at + 3] + q[at + 3], ofField = p[areaOfField] + q[areaOfField];
+    if (!(ofField > 0)) continue;
+    const double inverse = 1 / ofField;
     const double products[] = {x * x, x * y, x * z, y * y, y * z, z * z, d * x, d * y, d * z, d * d};
-    for (uint32_t i = 0; i < kArea; ++i) sums[i] -= inverse * products[i];
+    for (uint32_t i = 0; i < kFormSize; ++i) sums[i] -= inverse * products[i];
   }
   return {sums[0],         sums[1], sums[2], sums[3], sums[4], sums[5], {sums[kVector], sums[7], sums[8]},
           sums[kConstant], 0};

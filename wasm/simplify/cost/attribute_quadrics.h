@@ -20,6 +20,8 @@ namespace limber {
 // planes on each side of an edge, so that attributes count in the error and in the optimum. Values are
 // multiplied by the diagonal of the bounding box, so that the sum is a squared length times an area.
 //
+// The first two attributes, texture coordinates, have weights per triangle, which multiply a_f for them.
+//
 // Displacements count in a metric, see addDisplacements: in full across the surface, and little within it,
 // where only what is painted on it can be seen to slide; but in full where a border shows.
 class AttributeQuadrics {
@@ -34,8 +36,14 @@ class AttributeQuadrics {
   void collapse(const Collapse& step);
 
  private:
-  // Where the sums of fields begin, behind a form and the area.
-  static constexpr uint32_t kFields = kFormSize + 1;
+  // Where the sums of fields begin, behind a form, the area and that for texture coordinates.
+  static constexpr uint32_t kFields = kFormSize + 2;
+  static constexpr uint32_t kTextureSize = 2;
+
+  // The area of a triangle, and what of it counts for texture coordinates.
+  struct Areas {
+    double all, texture;
+  };
 
   struct Joined {
     uint32_t sectors[2][2];  // on each side: the one at the first vertex, the one at the second
@@ -45,7 +53,7 @@ class AttributeQuadrics {
   void addTriangle(uint32_t t, const SimplifyConstraints& constraints);
   Joined sectorsAt(uint32_t edge, uint32_t first, uint32_t second) const;
   bool hasBorder(uint32_t t) const;
-  void addScalars(double* sums, const LinearField* fields, double area) const;
+  void addScalars(double* sums, const LinearField* fields, const Areas& areas) const;
   Quadric residualOf(uint32_t first, uint32_t second) const;
   // Where the sums of displacements begin within those of a sector.
   uint32_t displacementsAt() const { return kFields + 4 * scalars_; }
@@ -55,9 +63,9 @@ class AttributeQuadrics {
   const CollapseMesh& mesh_;
   uint32_t dimension_ = 0, stride_ = 0;
   uint32_t scalars_ = 0, displacements_ = 0;  // dimension_ = scalars_ + 3 * displacements_
-  // Per sector: sum over j, f of a g g^T (xx, xy, xz, yy, yz, zz), of a d g, of a d^2; the area; then for
-  // each attribute that is no displacement the sums over f of a g and a d; then those of displacements, see
-  // displacementSums.
+  // Per sector: sum over j, f of a g g^T (xx, xy, xz, yy, yz, zz), of a d g, of a d^2; the area and that for
+  // texture coordinates; then for each attribute that is no displacement the sums over f of a g and a d; then
+  // those of displacements, see displacementSums.
   std::vector<double> sums_;
 };
 

@@ -24,7 +24,7 @@ struct Optimum {
 // collapse. The error is the weighted sum of squares over the area: a mean squared distance. Every feature
 // edge (see SimplifyConstraints) adds planes to both of its ends: those through the edge that stand on its
 // triangles, weighted by kFeatureWeight times the squared length of the edge (a seam: by the area of the
-// triangle) and not counted as area.
+// triangle times its texture weight) and not counted as area.
 // Attributes add their residual, see AttributeQuadrics.
 //
 // Where planes leave the order of collapses open (flat faces, straight creases) E_QEM would be rounding

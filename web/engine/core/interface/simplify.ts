@@ -22,6 +22,8 @@ export interface SimplifyConstraints {
   pinnedSets?: Uint32Array;
   /** attributes[wedge * attributeDimension + i] (per vertex without wedges); 1 weighs as much as the diagonal */
   attributes?: Float32Array;
+  /** per triangle, in [0, 1]: the factor on the error of texture coordinates, the first two attributes, and of seams; absent: 1 */
+  textureWeights?: Float32Array;
   /** 1 to ATTRIBUTE_LIMIT */
   attributeDimension?: number;
   /** the last 3 * displacementFields attributes are coordinates of displacements: only what lies across the surface counts */
