@@ -7,6 +7,7 @@ import { sum } from '../core/mesh';
 import type { Body } from '../document/model';
 import { entriesOf } from './attributes';
 import type { BodyAttributes, Entries } from './attributes';
+import { textureWeights } from './texture_contrast';
 import { posesOf } from './poses';
 import type { Poses } from './poses';
 
@@ -17,6 +18,8 @@ export interface CostAttributes {
   dimension: number;
   /** how many of the fields of poses, the last ones, count across the surface alone; each has three dimensions */
   displacementFields: number;
+  /** per triangle: the factor on what errors of texture coordinates cost; empty: 1 */
+  textureWeights: Float32Array;
 }
 
 /** The most numbers per wedge that the core takes. */
@@ -25,8 +28,8 @@ export const MOST_COST_DIMENSIONS = 8;
 const COLOUR_LENGTH = 0.05;
 
 /**
- * UV coordinates, colours and poses of every wedge; null where there are none. UVs count by their length on the surface, poses by
- * how far the animations move the vertices.
+ * UV coordinates, colours and poses of every wedge; null where there are none. UVs count by their length on the surface as far as
+ * their textures show it, poses by how far the animations move the vertices.
  */
 export function costAttributesOf(
   document: Document,
@@ -56,7 +59,20 @@ export function costAttributesOf(
         values[dimension * wedge + first + d] = part.scale * part.values[part.size * wedge + d];
     first += part.size;
   }
-  return { values, dimension, displacementFields: poses?.animated ?? 0 };
+  const looked =
+    texture?.size === 2
+      ? textureWeights(
+          entries,
+          { document, mesh: weld.mesh, wedges, uv: texture.values },
+          COLOUR_LENGTH * diagonal,
+        )
+      : null;
+  return {
+    values,
+    dimension,
+    displacementFields: poses?.animated ?? 0,
+    textureWeights: looked ?? new Float32Array(),
+  };
 }
 
 /** Values of vertices as those of their wedges. */

@@ -11,6 +11,7 @@ import { isOff, readOff } from './off';
 import { readPly } from './ply';
 import { modelOfSurfaces } from './surface';
 import { readSafely } from './checks/reading_failure';
+import { loadDecoder } from './textures/pixels';
 import { isBinaryStl, readStl } from './stl';
 
 export type { Body, Format, OpenModel, PrimitiveSpan, SourceFile } from './model';
@@ -39,11 +40,13 @@ export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
   const archive = files.find((file) => isZip(file) && !isPackedScene(file));
   const all = archive ? await readSafely(archive.name, () => unpacked(files)) : files;
   const { file, format } = chooseModel(all);
-  return readSafely(file.name, async () => {
+  const model = await readSafely(file.name, async () => {
     if (format === 'glb' || format === 'gltf') return openGltf(file, format, all);
     if (format === 'obj') return openObj(file, all);
     return modelOfSurfaces(file.name, format, SURFACE_READERS[format](file));
   });
+  await loadDecoder(model.document);
+  return model;
 }
 
 /** What a glTF without triangles has, in words that follow its name. */

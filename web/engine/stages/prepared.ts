@@ -15,7 +15,12 @@ import { onceIn } from './many_bodies/value_cache';
 import { declareStage } from './stage';
 
 /** Attributes of more numbers than the core takes cost nothing. */
-const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0, displacementFields: 0 };
+const NO_COSTS: CostAttributes = {
+  values: new Float32Array(),
+  dimension: 0,
+  displacementFields: 0,
+  textureWeights: new Float32Array(),
+};
 
 export const preparedStage = declareStage({
   name: 'prepared',

@@ -98,8 +98,9 @@ function simplifyConstraints(
   if (seams === null) return constraints;
   const { charts } = prepared.attributes;
   if (seams === 'cross') return { ...constraints, groups: charts.groups };
-  const { values: attributes, dimension: attributeDimension, displacementFields } = prepared.costAttributes;
-  return { ...constraints, ...charts, attributes, attributeDimension, displacementFields };
+  const { values, dimension, displacementFields, textureWeights } = prepared.costAttributes;
+  const costs = { attributes: values, attributeDimension: dimension, displacementFields, textureWeights };
+  return { ...constraints, ...charts, ...costs };
 }
 
 function overMaximum(field: Float32Array): Float32Array {
