@@ -137,6 +137,19 @@ describe('the weights of texture coordinates', () => {
     expect(await weightsOf(sheetOf(good, foreign))).toBeNull();
   });
 
+  it('look at small pictures of a file before one that leaves no room for them', async () => {
+    const large = picture(flat);
+    new DataView(large.buffer).setUint32(16, 1024);
+    new DataView(large.buffer).setUint32(20, MOST_PIXELS / 1024);
+    const small = (material: Material, document: Document) => {
+      material.setOcclusionTexture(material.getBaseColorTexture());
+      material.getOcclusionTextureInfo()!.setTexCoord(1);
+      const image = picture(flat) as Uint8Array<ArrayBuffer>;
+      material.setBaseColorTexture(document.createTexture().setImage(image).setMimeType('image/png'));
+    };
+    expect(await weightsOf(sheetOf(large, small))).toEqual([0, 0]);
+  });
+
   it('let a sheet collapse where its texture is flat and keep it where it is not', async () => {
     const bend = (x: number, y: number) => 0.03 * Math.sin(25 * x) * Math.sin(25 * y);
     const shareOfRight = async (colour: Colour) => {

@@ -8,7 +8,7 @@ import { texturesShownBy } from './shown_textures';
 import type { ShownTexture } from './shown_textures';
 
 /** How many points of all triangles are looked at, and of one triangle along an edge, at most. */
-const MOST_SAMPLES = 1 << 19;
+const MOST_SAMPLES = 1 << 17;
 const MOST_ALONG_EDGE = 16;
 /** Of each texture: red, green, blue, and alpha where it cuts the surface out. */
 const CHANNELS = 4;

@@ -18,8 +18,8 @@ export async function loadDecoder(document: Document): Promise<void> {
 }
 
 /**
- * Null if one of the textures of a document is broken, no PNG that can be decoded, or not among those that are decoded: in their order,
- * each that leaves the file within MOST_PIXELS.
+ * Null if one of the textures of a document is broken, no PNG that can be decoded, or not among those that are decoded: the smallest of
+ * the file, as long as they have no more than MOST_PIXELS together.
  */
 export function pixelsOf(document: Document, textures: Texture[]): Pixels[] | null {
   if (!png) return null;
@@ -32,14 +32,16 @@ export function pixelsOf(document: Document, textures: Texture[]): Pixels[] | nu
 }
 
 function chosenAmong(textures: Texture[], sizeOfPng: Png['sizeOfPng']): Set<Texture> {
+  const sized = textures.map((texture) => {
+    const [width, height] = sizeOfPng(texture.getImage() ?? new Uint8Array()) ?? [Infinity, 1];
+    return { texture, count: width * height };
+  });
   let room = MOST_PIXELS;
   return new Set(
-    textures.filter((texture) => {
-      const [width, height] = sizeOfPng(texture.getImage() ?? new Uint8Array()) ?? [Infinity, 1];
-      const isIn = width * height <= room;
-      if (isIn) room -= width * height;
-      return isIn;
-    }),
+    sized
+      .sort((a, b) => (a.count === b.count ? 0 : a.count - b.count))
+      .filter(({ count }) => (room -= count) >= 0)
+      .map(({ texture }) => texture),
   );
 }
 
