@@ -50,7 +50,8 @@ TrialOutcome tryMotion(const TrialBodies& bodies, const std::vector<TuneCandidat
   const std::optional<double> untouched = trial.deviationOf(body, job);
   const double noise = trial.noiseFloor();
   const BestCandidate best = bestOf(candidates, body, {trial, noise}, job);
-  if (!untouched || !best.deviation) return {.refusal = "the time steps of the coarse mesh do not converge or take too long"};
+  if (!untouched || !best.deviation)
+    return {.refusal = "the time steps of the coarse mesh do not converge or take too long"};
   const double tuned = *best.deviation;
   return {
       .motion = TunedMotion{trial.scene(), *untouched, tuned, noise,
