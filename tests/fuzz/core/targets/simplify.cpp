@@ -11,7 +11,7 @@ namespace limber::fuzz {
 namespace {
 
 struct Lists {
-  std::vector<float> strain, curvature, keep, attributes;
+  std::vector<float> strain, curvature, keep, attributes, textureWeights;
   std::vector<uint32_t> wedges, groups, pinnedSets;
   std::vector<uint8_t> locked;
 };
@@ -66,7 +66,9 @@ void drawLists(Lists& lists, SimplifyOptions& options, const TriangleMesh& mesh,
     options.constraints.attributeDimension = 1 + input.byte() % 3;
     draw(lists.attributes, input,
          (lists.wedges.empty() ? 1 : 2) * vertices * options.constraints.attributeDimension, 200);
+    draw(lists.textureWeights, input, triangles, 2);
     options.constraints.attributes = lists.attributes;
+    options.constraints.textureWeights = lists.textureWeights;
     options.constraints.displacementFields = options.constraints.attributeDimension / 3;
     if (lists.attributes.empty()) options.constraints.attributeDimension = 0;
   }
