@@ -2,7 +2,7 @@
 
 import { Document } from '@gltf-transform/core';
 import { zipSync } from 'fflate';
-import { PNG_MARK } from '../../../web/engine/document/formats/png_mark';
+import { PNG_MARK } from '../../../web/engine/document/formats/png_chunks';
 import type { SourceFile } from '../../../web/engine/document/model';
 import { openAnyModel, openModel } from '../../../web/engine/document/open';
 import { validateFiles } from '../../../web/engine/document/validate';

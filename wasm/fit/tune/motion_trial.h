@@ -27,8 +27,8 @@ namespace limber {
 // noticeable share of the energy of the swing, and for `hang` of that joined with a pendulum's.
 class MotionTrial {
  public:
-  // Moves the original, twice, which must outlive this object with all that it refers to. Throws Cancelled,
-  // and std::invalid_argument as SolverConstraints does.
+  // Moves the original twice; it must outlive this object with all that it refers to. Throws Cancelled, and
+  // std::invalid_argument as SolverConstraints does.
   MotionTrial(const MovingBody& original, const SolverModel& model, Job& job);
   ~MotionTrial();
   MotionTrial(MotionTrial&&) noexcept;

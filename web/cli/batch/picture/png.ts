@@ -1,7 +1,7 @@
 /** Grey pictures as PNG (ISO/IEC 15948): the signature, the header, the pixels without filters, the end. */
 
 import { deflateSync } from 'node:zlib';
-import { PNG_MARK } from '../../../engine/document/formats/png_mark';
+import { PNG_MARK } from '../../../engine/document/formats/png_chunks';
 import type { Picture } from './raster';
 
 const GREY_OF_8_BITS = [8, 0, 0, 0, 0];

@@ -1,6 +1,7 @@
 /** Decodes PNG pictures in colour, in plain JavaScript, so that every engine gets the same pixels. */
 
 import { Unzlib } from 'fflate';
+import { isPng, pngChunks } from '../formats/png_chunks';
 
 /** Rows from the top; each pixel has `channels` bytes: red, green, blue, and alpha where there are four. */
 export interface Pixels {
@@ -19,7 +20,6 @@ interface Header {
   samples: number;
 }
 
-const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 const SAMPLES_OF_TYPE: Record<number, number | undefined> = { 2: 3, 3: 1, 6: 4 };
 /** No more than this is inflated without a look at how much has come of it. */
 const SLICE = 1 << 16;
@@ -29,13 +29,11 @@ const SLICE = 1 << 16;
  * proportion to `mostPixels` whatever the file says; larger pictures are null, too.
  */
 export function decodePng(bytes: Uint8Array, mostPixels: number): Pixels | null {
-  if (SIGNATURE.some((byte, i) => bytes[i] !== byte)) return null;
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const header = headerOf(view);
+  const header = headerOf(bytes);
   if (!header || !(header.width * header.height <= mostPixels)) return null;
   const { width, height, bits, samples } = header;
   const rowLength = Math.ceil((width * samples * bits) / 8);
-  const { palette, packed } = chunksOf(bytes, view);
+  const { palette, packed } = contentOf(bytes);
   const rows = inflated(packed, height * (1 + rowLength));
   const data = unfiltered(rows, rowLength, Math.ceil((samples * bits) / 8));
   if (samples > 1) return { width, height, channels: samples, data };
@@ -44,13 +42,13 @@ export function decodePng(bytes: Uint8Array, mostPixels: number): Pixels | null 
 
 /** The width and height of a PNG that can be decoded; null for any other file. */
 export function sizeOfPng(bytes: Uint8Array): [number, number] | null {
-  if (SIGNATURE.some((byte, i) => bytes[i] !== byte)) return null;
-  const header = headerOf(new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength));
+  const header = headerOf(bytes);
   return header && [header.width, header.height];
 }
 
-function headerOf(view: DataView): Header | null {
-  if (view.byteLength < 33) return null;
+function headerOf(bytes: Uint8Array): Header | null {
+  if (!isPng(bytes) || bytes.length < 33) return null;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const [width, height, bits, type] = [
     view.getUint32(16),
     view.getUint32(20),
@@ -65,17 +63,13 @@ function headerOf(view: DataView): Header | null {
     : null;
 }
 
-function chunksOf(bytes: Uint8Array, view: DataView): { palette: Uint8Array; packed: Uint8Array[] } {
+function contentOf(bytes: Uint8Array): { palette: Uint8Array; packed: Uint8Array[] } {
   let palette = new Uint8Array();
   const packed: Uint8Array[] = [];
-  for (let at = SIGNATURE.length; at + 12 <= bytes.length;) {
-    const length = view.getUint32(at);
-    const name = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
-    const content = bytes.subarray(at + 8, at + 8 + length);
-    if (name === 'PLTE') palette = content.slice();
-    if (name === 'IDAT') packed.push(content);
-    if (name === 'IEND') break;
-    at += 12 + length;
+  for (const { type, data } of pngChunks(bytes)) {
+    if (type === 'PLTE') palette = data.slice();
+    if (type === 'IDAT') packed.push(data);
+    if (type === 'IEND') break;
   }
   return { palette, packed };
 }

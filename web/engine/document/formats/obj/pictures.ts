@@ -5,7 +5,7 @@ import type { Document, Texture } from '@gltf-transform/core';
 import { KHRTextureTransform } from '@gltf-transform/extensions';
 import { addressOf } from '../../write/shared_images';
 import type { SourceFile } from '../../model';
-import { PNG_MARK } from '../png_mark';
+import { isPng, pngChunks } from '../png_chunks';
 import { picturePaths } from './companion_paths';
 import type { LeftOut } from './left_out';
 import type { MtlMap } from './mtl_map';
@@ -72,12 +72,9 @@ export class Pictures {
 
 /** By its first bytes: names do not always tell. */
 function mimeTypeOf(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
-  if (startsWith(bytes, PNG_MARK) && bytes.length >= PNG_HEADER_BYTES) return 'image/png';
-  return startsWith(bytes, JPEG_MARK) ? 'image/jpeg' : null;
+  if (isPng(bytes) && bytes.length >= PNG_HEADER_BYTES) return 'image/png';
+  return JPEG_MARK.every((byte, i) => bytes[i] === byte) ? 'image/jpeg' : null;
 }
-
-const startsWith = (bytes: Uint8Array, mark: readonly number[]): boolean =>
-  mark.every((byte, i) => bytes[i] === byte);
 
 /** Whether it is a PNG with an alpha channel, or with a list of colours of which some are transparent. */
 export function hasAlpha(texture: Texture): boolean {
@@ -88,11 +85,9 @@ export function hasAlpha(texture: Texture): boolean {
 
 /** Whether there is a chunk tRNS before the pixels. */
 function hasTransparentColours(bytes: Uint8Array): boolean {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  for (let at = PNG_MARK.length; at + 12 <= bytes.length; at += 12 + view.getUint32(at)) {
-    const chunk = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
-    if (chunk === 'tRNS') return true;
-    if (chunk === 'IDAT') return false;
+  for (const { type } of pngChunks(bytes)) {
+    if (type === 'tRNS') return true;
+    if (type === 'IDAT') return false;
   }
   return false;
 }

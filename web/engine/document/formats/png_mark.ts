@@ -1,2 +1,0 @@
-/** The first bytes of every PNG (ISO/IEC 15948). */
-export const PNG_MARK: readonly number[] = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
