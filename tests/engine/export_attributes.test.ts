@@ -430,10 +430,11 @@ describe('the wedges of a body', () => {
     }
     const model = await openModel([await glbFile(source)]);
     for (const body of model.bodies) {
-      const { weld, diagonal, attributes } = prepareBody(core, body, defaultSettings(), model.document);
+      const prepared = prepareBody(core, body, defaultSettings(), model.document);
+      const { weld, diagonal, attributes } = prepared;
       expect(attributesOf(model.document, body, weld)).toEqual(attributes);
       wedgeCounts.push(attributes.wedgeCount);
-      const cost = costAttributesOf(model.document, body, weld, attributes, diagonal)!;
+      const cost = costAttributesOf(model.document, prepared)!;
       expect(cost.dimension).toBe(2);
       // A unit square of UV covers a unit square of surface, so one unit of UV is one unit of length.
       expect(Math.max(...cost.values)).toBeCloseTo(

@@ -99,7 +99,7 @@ describe('a painted body', () => {
   const reduced = (paint: string, method: Settings['method'], faces: number) => {
     const settings = { ...defaultSettings(method), paint, maxDeviation: 0 };
     const { constraints } = constraintsOf(new Document(), prepared, new Uint32Array(), settings);
-    const guides = { guidance: null, curvature, constraints };
+    const guides = { guidance: null, curvature, constraints, costs: null };
     const { values } = historyCall(prepared, guides, simplificationSettings(settings));
     const history = core.simplify(...values);
     return core.meshAt(prepared.mesh, history, faces).mesh;

@@ -2,6 +2,7 @@ import type { Document, Material } from '@gltf-transform/core';
 import { KHRMaterialsClearcoat, KHRTextureTransform } from '@gltf-transform/extensions';
 import { describe, expect, it } from 'vitest';
 import type { TriangleMesh } from '../../web/engine/core/core';
+import { costAttributesOf } from '../../web/engine/body/cost_attributes';
 import { MOST_PIXELS } from '../../web/engine/document/textures/pixels';
 import { openModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
@@ -61,8 +62,8 @@ async function prepared(source: Document) {
 
 /** The means of the weights left and right of x = 0.5 but for what lies near it; null where all are 1 by default. */
 async function weightsOf(source: Document) {
-  const { body } = await prepared(source);
-  const weights = body.costAttributes.textureWeights;
+  const { model, body } = await prepared(source);
+  const weights = costAttributesOf(model.document, body)!.textureWeights;
   if (weights.length === 0) return null;
   const mean = (isInside: (x: number) => boolean) => {
     const chosen = [...weights].filter((_, t) =>

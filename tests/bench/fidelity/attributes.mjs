@@ -42,10 +42,10 @@ export async function attributeErrors({ engine, core }, { methods, ratios, missi
  * is bound to. At a seam the nearest of the vertex's coordinates counts, because the point is on one side of the seam.
  */
 function errorOf({ engine, core }, document, prepared, result) {
-  const { mesh, body, weld, attributes, diagonal } = prepared;
+  const { mesh, attributes } = prepared;
   const { wedges } = attributes.charts;
   // These are already lengths on the surface relative to the diagonal.
-  const { values } = engine.costAttributesOf(document, body, weld, attributes, diagonal);
+  const { values } = engine.costAttributesOf(document, prepared);
   const ofCorner = cornerValues(core.sourceOfCorners(mesh, attributes.charts, result), wedges, values);
   const binding = core.bindToResult(mesh, result);
   const errors = new Float64Array(mesh.positions.length / 3).fill(Infinity);

@@ -1,15 +1,15 @@
 /** What attributes of a body cost in a collapse: texture coordinates, colours, and how its animations move it. */
 
 import type { Document } from '@gltf-transform/core';
-import type { TriangleMesh, WeldResult } from '../core/core';
+import type { TriangleMesh } from '../core/core';
 import { length3 } from '../core/exact_math';
 import { sum } from '../core/mesh';
-import type { Body } from '../document/model';
 import { entriesOf } from './attributes';
-import type { BodyAttributes, Entries } from './attributes';
+import type { Entries } from './attributes';
 import { textureWeights } from './texture_contrast';
 import { posesOf } from './poses';
 import type { Poses } from './poses';
+import type { PreparedBody } from './prepared_body';
 
 /** What attributes cost in a collapse, as lengths divided by the bounding diagonal. */
 export interface CostAttributes {
@@ -33,11 +33,12 @@ const COLOUR_LENGTH = 0.05;
  */
 export function costAttributesOf(
   document: Document,
-  body: Body,
-  weld: WeldResult,
-  { charts: { wedges }, wedgeCount }: BodyAttributes,
-  diagonal: number,
+  { body, weld, attributes, diagonal }: Pick<PreparedBody, 'body' | 'weld' | 'attributes' | 'diagonal'>,
 ): CostAttributes | null {
+  const {
+    charts: { wedges },
+    wedgeCount,
+  } = attributes;
   if (wedges.length === 0) return null;
   const entries = entriesOf(document, body, weld);
   const texture = gather(entries, wedges, wedgeCount, 'TEXCOORD_0');

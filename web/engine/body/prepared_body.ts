@@ -3,7 +3,6 @@
 import type { Inspection, MirrorImages, Quality, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
 import type { BodyAttributes } from './attributes';
-import type { CostAttributes } from './cost_attributes';
 import type { Layers } from './layers';
 
 /** A welded body, usable or not. */
@@ -31,8 +30,6 @@ export interface PreparedBody extends InspectedBody {
   layers: Layers;
   /** points of its surface at which distances are measured, besides its vertices; 0: as the core finds right for a single body */
   samples: number;
-  /** what attributes cost in a collapse */
-  costAttributes: CostAttributes;
   /** present where a symmetry is asked for; `partners` are those of `mesh`, whose quads are already cut as `corners` ask */
   images?: MirrorImages;
 }

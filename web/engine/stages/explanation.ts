@@ -2,7 +2,7 @@
 
 import { wholeFaces } from './collapse_pairs';
 import { constraintsStage } from './constraints';
-import { guidingCurvature, guidingStrain } from './guidance';
+import { chargedCosts, guidingCurvature, guidingStrain } from './guidance';
 import { keptHistoryStage } from './kept_history';
 import { preparedStage } from './prepared';
 import { SIMPLIFICATION_SETTINGS, simplificationOf, simplificationSettings } from './simplification';
@@ -15,14 +15,15 @@ export const explanationStage = declareStage({
   needs: {
     prepared: preparedStage,
     constraints: constraintsStage,
+    costs: chargedCosts,
     guidance: guidingStrain,
     curvature: guidingCurvature,
     kept: keptHistoryStage,
   },
   derive: ({ targetFaces, ...settings }) => ({ targetFaces, settings: simplificationSettings(settings) }),
   run: ({ core }, inputs, { targetFaces, settings }) => {
-    const { prepared, guidance, curvature, kept } = inputs;
-    const guides = { constraints: inputs.constraints.constraints, guidance, curvature };
+    const { prepared, costs, guidance, curvature, kept } = inputs;
+    const guides = { constraints: inputs.constraints.constraints, costs, guidance, curvature };
     const simplification = simplificationOf(prepared, guides, settings);
     const reduction = { ...simplification, mesh: kept.meshHandle, history: kept.historyHandle };
     return core.whyKept(reduction, wholeFaces(kept.history, targetFaces));

@@ -1,5 +1,7 @@
-/** Stages: strain and curvature of the original, and which of them guide the collapses of a method. */
+/** Stages: strain, curvature and attributes of the original, and which of them guide the collapses of a method. */
 
+import { costAttributesOf, MOST_COST_DIMENSIONS } from '../body/cost_attributes';
+import type { CostAttributes } from '../body/cost_attributes';
 import type { PreparedBody } from '../body/prepared_body';
 import type { ModeSet, StrainGuidance } from '../core/core';
 import { faceCount } from '../core/mesh';
@@ -42,6 +44,17 @@ export const curvatureStage = declareStage({
   run: ({ core }, { prepared }) => core.meanCurvature(prepared.mesh),
 });
 
+/** Null where a body has none; attributes of more numbers than the core takes cost nothing. */
+const costsStage = declareStage({
+  name: 'costs',
+  reads: [],
+  needs: { prepared: preparedStage },
+  run: ({ document }, { prepared }): CostAttributes | null => {
+    const costs = document && costAttributesOf(document, prepared);
+    return costs && costs.dimension <= MOST_COST_DIMENSIONS ? costs : null;
+  },
+});
+
 /** Quadrics alone know nothing of modes. */
 const isGuided = (settings: Pick<Settings, 'method'>): boolean => methodOf(settings).needsGuidance;
 
@@ -52,6 +65,12 @@ export const guidingCurvature = where(
   curvatureStage,
   ['method'],
   (settings) => methodOf(settings).needsCurvature,
+);
+/** What attributes cost; the paper's method knows nothing of them, and seams that are crossed cost nothing. */
+export const chargedCosts = where(
+  costsStage,
+  ['method', 'seams'],
+  (settings) => methodOf(settings).keepsAttributes && settings.seams !== 'cross',
 );
 
 /**

@@ -2,8 +2,6 @@
 
 import type { Document } from '@gltf-transform/core';
 import { attributesOf, NO_ATTRIBUTES } from '../body/attributes';
-import { costAttributesOf, MOST_COST_DIMENSIONS } from '../body/cost_attributes';
-import type { CostAttributes } from '../body/cost_attributes';
 import { findLayers } from '../body/layers';
 import type { InspectedBody, PreparedBody } from '../body/prepared_body';
 import { withMirror } from '../body/symmetry';
@@ -13,14 +11,6 @@ import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
 import { onceIn } from './many_bodies/value_cache';
 import { declareStage } from './stage';
-
-/** Attributes of more numbers than the core takes cost nothing. */
-const NO_COSTS: CostAttributes = {
-  values: new Float32Array(),
-  dimension: 0,
-  displacementFields: 0,
-  textureWeights: new Float32Array(),
-};
 
 export const preparedStage = declareStage({
   name: 'prepared',
@@ -92,8 +82,6 @@ function prepareInspected(
   const diagonal = diagonalOf(mesh.positions);
   const layers = findLayers(body, weld);
   const attributes = document ? attributesOf(document, body, weld, layers) : NO_ATTRIBUTES;
-  const costs = document && costAttributesOf(document, body, weld, attributes, diagonal);
-  const costAttributes = costs && costs.dimension <= MOST_COST_DIMENSIONS ? costs : NO_COSTS;
   const prepared = {
     body,
     weld,
@@ -104,7 +92,6 @@ function prepareInspected(
     attributes,
     layers,
     samples: 0,
-    costAttributes,
   };
   return settings.symmetry === 'off' ? prepared : withMirror(core, prepared, settings.symmetry);
 }

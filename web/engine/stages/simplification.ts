@@ -1,6 +1,7 @@
 /** What the core is told of a simplification, and what counts of the settings for each method. */
 
 import type { BodyConstraints } from '../body/constraints';
+import type { CostAttributes } from '../body/cost_attributes';
 import type { PreparedBody } from '../body/prepared_body';
 import { maskOf } from '../body/vertex_mask';
 import type { Curvature, SimplifyConstraints, SimplifyOptions, StrainGuidance } from '../core/core';
@@ -43,6 +44,8 @@ export function simplificationSettings(settings: AllSettings): SimplificationSet
 /** What collapses follow, besides the settings; null: the method has no such term. */
 export interface Guides {
   constraints: BodyConstraints;
+  /** null: they cost nothing */
+  costs: CostAttributes | null;
   guidance: StrainGuidance | null;
   curvature: Curvature | null;
 }
@@ -57,7 +60,7 @@ export interface Simplification {
 
 export function simplificationOf(
   prepared: PreparedBody,
-  { constraints, guidance, curvature }: Guides,
+  { constraints, costs, guidance, curvature }: Guides,
   settings: SimplificationSettings,
 ): Simplification {
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
@@ -72,7 +75,7 @@ export function simplificationOf(
       minAngle,
       recordErrors: true,
       deferBeyond: methodOf(settings).defersDeviation ? (deferredDeviation / 100) * prepared.diagonal : 0,
-      constraints: simplifyConstraints(prepared, settings, constraints),
+      constraints: simplifyConstraints(prepared, settings, { constraints, costs }),
     },
   };
 }
@@ -84,7 +87,7 @@ export function simplificationOf(
 function simplifyConstraints(
   prepared: PreparedBody,
   { borders, seams, creases }: SimplificationSettings,
-  { pinned, locked, keep, mirror }: BodyConstraints,
+  { constraints: { pinned, locked, keep, mirror }, costs }: Pick<Guides, 'constraints' | 'costs'>,
 ): SimplifyConstraints {
   const pins = maskOf(prepared.mesh, pinned);
   const constraints = {
@@ -98,9 +101,10 @@ function simplifyConstraints(
   if (seams === null) return constraints;
   const { charts } = prepared.attributes;
   if (seams === 'cross') return { ...constraints, groups: charts.groups };
-  const { values, dimension, displacementFields, textureWeights } = prepared.costAttributes;
-  const costs = { attributes: values, attributeDimension: dimension, displacementFields, textureWeights };
-  return { ...constraints, ...charts, ...costs };
+  if (!costs) return { ...constraints, ...charts };
+  const { values, dimension, displacementFields, textureWeights } = costs;
+  const charged = { attributes: values, attributeDimension: dimension, displacementFields, textureWeights };
+  return { ...constraints, ...charts, ...charged };
 }
 
 function overMaximum(field: Float32Array): Float32Array {
