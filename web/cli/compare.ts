@@ -16,7 +16,8 @@ import { settingsAsUsed } from './flags';
 import { finish, openFile, prepareFile, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';
-import { count, list, percent, plural } from './words';
+import { counted, grouped } from '../engine/core/words';
+import { list, percent } from './words';
 
 export async function runCompare(args: Arguments): Promise<number> {
   const total = startStopwatch();
@@ -57,7 +58,7 @@ export function checkPairs({ operands }: Arguments, originals: PreparedBody[], o
   if (originals.length === others.length) return;
   const [a, b] = operands.map((path) => shownName(path));
   throw new UsageError(
-    `${a} has ${plural(originals.length, 'body', 'bodies')} and ${b} has ${others.length}: compare one with --mesh NAME.`,
+    `${a} has ${counted(originals.length, 'body', 'bodies')} and ${b} has ${others.length}: compare one with --mesh NAME.`,
   );
 }
 
@@ -83,7 +84,7 @@ function compareText(
   return list([
     [
       `${a} -> ${b}`,
-      `${count(input.faces)} -> ${count(output!.faces)} faces (${percent(output!.faces / input.faces - 1)})`,
+      `${grouped(input.faces)} -> ${grouped(output!.faces)} faces (${percent(output!.faces / input.faces - 1)})`,
     ],
     ['topology', isKept ? 'the same' : 'different'],
     ...surfaceRows(report.surface!),

@@ -14,7 +14,8 @@ import { checkModelOutputs, checkPassedOn } from './output_files/model_outputs';
 import { checkRoom, sizeOfModel } from './output_files/outputs';
 import type { Output } from './output_files/outputs';
 import { shownName, shownOutput, STANDARD } from './standard';
-import { count, plain, plural } from './words';
+import { counted, grouped } from '../engine/core/words';
+import { plain } from './words';
 
 export async function runDry(args: Arguments): Promise<number> {
   const checked = await checkFiles(args);
@@ -43,9 +44,9 @@ function describeModel({ settings }: Arguments, path: string, model: OpenModel):
   const { bodies, format } = model;
   const chosen = bodies.length === 0 ? [] : chosenBodies(model, settings);
   const faces = sum(chosen.map((i) => bodies[i].indices.length / 3));
-  const of = chosen.length < bodies.length ? `${count(chosen.length)} of ` : '';
-  const all = plural(bodies.length, 'body', 'bodies');
-  return `${shownName(path)}: ${format.toUpperCase()}, ${of}${all}, ${plural(faces, 'face', 'faces')}`;
+  const of = chosen.length < bodies.length ? `${grouped(chosen.length)} of ` : '';
+  const all = counted(bodies.length, 'body', 'bodies');
+  return `${shownName(path)}: ${format.toUpperCase()}, ${of}${all}, ${counted(faces, 'face')}`;
 }
 
 function describeOutput({ path, flag }: Output): string {

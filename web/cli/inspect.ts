@@ -4,7 +4,7 @@ import { describeHealth } from '../engine/body/health';
 import type { InspectedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
 import type { Body, OpenModel } from '../engine/document/open';
-import { excerpt } from '../engine/core/words';
+import { counted, excerpt, grouped } from '../engine/core/words';
 import { startReport } from '../engine/report/report';
 import { inspectBody } from '../engine/stages/prepared';
 import { chosenBodies } from '../engine/body/selection';
@@ -12,7 +12,7 @@ import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { settingsAsUsed } from './flags';
 import { finish, openFile, startSession } from './session';
-import { count, plural, table } from './words';
+import { table } from './words';
 
 export async function runInspect(args: Arguments): Promise<number> {
   const total = startStopwatch();
@@ -37,18 +37,18 @@ function inspectText(model: OpenModel, bodies: Body[], inspected: InspectedBody[
       bodies.length > 1 ? `${bodies[i].name}: ${text}` : text,
     ),
   );
-  const heading = `${model.name}: ${model.format.toUpperCase()}, ${plural(model.bodies.length, 'body', 'bodies')}`;
+  const heading = `${model.name}: ${model.format.toUpperCase()}, ${counted(model.bodies.length, 'body', 'bodies')}`;
   return [heading, table([header, ...rows]), ...notes.map((note) => `- ${note}`)].join('\n');
 }
 
 function bodyRow({ name }: Body, { weld, quality }: InspectedBody): string[] {
   const { vertices, faces, components, boundaryLoops, genus } = weld.inspection;
   const degrees = (angle?: number) => (angle === undefined ? '-' : `${angle.toFixed(2)} deg`);
-  const counts = [vertices, faces, components, boundaryLoops].map(count);
+  const counts = [vertices, faces, components, boundaryLoops].map(grouped);
   return [
     excerpt(name),
     ...counts,
-    genus === null ? '-' : count(genus),
+    genus === null ? '-' : grouped(genus),
     degrees(quality?.minAngle),
     degrees(quality?.meanMinAngle),
   ];

@@ -21,7 +21,8 @@ import { EXIT, flagOf, inFlags } from './failure';
 import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
-import { plural, table } from './words';
+import { counted } from '../engine/core/words';
+import { table } from './words';
 
 export async function runModes(args: Arguments): Promise<number> {
   const [input] = args.operands;
@@ -98,7 +99,7 @@ function modesText(
     residual.toExponential(1),
     ...(many ? [String(component + 1)] : []),
   ]);
-  const parts = many ? `, ${plural(components!.length, 'part', 'parts')}` : '';
+  const parts = many ? `, ${counted(components!.length, 'part')}` : '';
   const zero = `${zeroModes!.found} of ${zeroModes!.expected} zero modes found`;
   const heading = `${shownName(operands[0])}: ${model} model${parts}, ${zero}, ${timings.modes.toFixed(1)} s`;
   const nominal = isNominal

@@ -12,7 +12,8 @@ import type { FileOutput } from '../engine/stages/file_output';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
 import { shownName, shownOutput } from './standard';
-import { count, percent } from './words';
+import { grouped } from '../engine/core/words';
+import { percent } from './words';
 
 export function summaryLine({ operands }: Arguments, output: FileOutput, seconds: number): string {
   const { before, after } = output.writtenFaces();
@@ -25,7 +26,7 @@ export function summaryLine({ operands }: Arguments, output: FileOutput, seconds
     broken.length === 0 ? 'topology kept' : `TOPOLOGY CHANGED (${[...new Set(broken)].join(', ')})`;
   const smallest = Math.min(...measured.map(({ quality }) => quality.minAngle));
   return [
-    `${shownName(operands[0])}: ${count(before)} -> ${count(after)} faces (${percent(after / before - 1)})`,
+    `${shownName(operands[0])}: ${grouped(before)} -> ${grouped(after)} faces (${percent(after / before - 1)})`,
     topology,
     `deviation ${distance.hausdorff.toFixed(2)} % (mean ${distance.mean.toFixed(2)} %)`,
     `smallest angle ${smallest.toFixed(1)} deg`,
@@ -50,7 +51,7 @@ function fitWords(output: FileOutput): string[] {
 function frequencyWords({ frequency }: StopReport): string[] {
   if (!frequency) return [];
   const { error, limit, beyond } = frequency;
-  const less = beyond ? ` (${count(beyond.faces)} faces: ${beyond.error.toFixed(2)} %)` : '';
+  const less = beyond ? ` (${grouped(beyond.faces)} faces: ${beyond.error.toFixed(2)} %)` : '';
   return [`frequencies within ${error.toFixed(2)} % of ${limit} %${less}`];
 }
 
@@ -63,5 +64,5 @@ export const tuningLines = ({ fidelity }: Report): string[] =>
 export function levelLine({ file, output, surface }: LevelReport): string {
   const { hausdorff, mean } = surface;
   const deviation = `deviation ${hausdorff.toFixed(2)} % (mean ${mean.toFixed(2)} %)`;
-  return `${file}: ${count(output.faces)} faces, ${deviation}`;
+  return `${file}: ${grouped(output.faces)} faces, ${deviation}`;
 }

@@ -18,7 +18,8 @@ import { checkRoom, sizeOfModel } from './output_files/outputs';
 import { shownOutput, STANDARD } from './standard';
 import { clearProgress, showProgress } from './terminal';
 import { warningLines } from './warnings';
-import { count, plain } from './words';
+import { grouped } from '../engine/core/words';
+import { plain } from './words';
 
 export interface Session {
   args: Arguments;
@@ -92,7 +93,7 @@ export function describeWritten({ written }: Pick<Session, 'written'>): string {
 export function prepareFile(session: Session, model: OpenModel): FileRun {
   const { args, core, warnings } = session;
   const onActivity = (body: string, triedFaces?: number): void => {
-    session.activity = triedFaces === undefined ? body : `${body}, trying ${count(triedFaces)} faces`;
+    session.activity = triedFaces === undefined ? body : `${body}, trying ${grouped(triedFaces)} faces`;
   };
   const guides = args.command === 'optimize';
   const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), guides, onActivity });

@@ -31,7 +31,8 @@ import { readText } from './input_files/read_file';
 import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';
-import { count, list } from './words';
+import { grouped } from '../engine/core/words';
+import { list } from './words';
 
 /** The bodies of A and, where it is named, of B, in the order of their files. */
 interface Sides {
@@ -210,7 +211,7 @@ function convergenceText(motions: MotionComparison[]): string {
 
 function cost({ constraints, edges, secondsPerStep, nanosecondsPerConstraint }: RunReport): string {
   const step = `${(1000 * secondsPerStep).toPrecision(3)} ms a step`;
-  return `${count(constraints)} constraints, ${count(edges)} edges, ${step}, ${nanosecondsPerConstraint.toFixed(1)} ns a constraint`;
+  return `${grouped(constraints)} constraints, ${grouped(edges)} edges, ${step}, ${nanosecondsPerConstraint.toFixed(1)} ns a constraint`;
 }
 
 function pairRows(

@@ -21,7 +21,7 @@ import { settingsAsUsed } from './flags';
 import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
-import { count } from './words';
+import { grouped } from '../engine/core/words';
 
 export async function runTune(args: Arguments): Promise<number> {
   const path = args.settingsFile!;
@@ -78,7 +78,7 @@ function checkFaces({ operands }: Arguments, { mesh, body }: PreparedBody, other
   if (after <= before) return;
   const [a, b] = operands.map((operand) => shownName(operand));
   throw new UsageError(
-    `"${body.name}" has ${count(before)} faces in ${a} and ${count(after)} in ${b}: name the original first.`,
+    `"${body.name}" has ${grouped(before)} faces in ${a} and ${grouped(after)} in ${b}: name the original first.`,
   );
 }
 

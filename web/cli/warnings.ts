@@ -1,7 +1,7 @@
 /** Warnings, one line for all bodies that have the same one. */
 
 import type { Warning } from '../engine/report/warnings';
-import { count } from './words';
+import { grouped } from '../engine/core/words';
 
 const NUMBER = /\d+(,\d{3})*(\.\d+)?/g;
 
@@ -25,7 +25,7 @@ function lineOf(group: Warning[]): string {
   const bodies = group.filter((warning) => typeof warning !== 'string');
   if (bodies.length === 0) return group[0] as string;
   if (bodies.length === 1) return bodies[0].alone;
-  return `${count(bodies.length)} bodies: ${spanOf(bodies.map(({ text }) => text))}`;
+  return `${grouped(bodies.length)} bodies: ${spanOf(bodies.map(({ text }) => text))}`;
 }
 
 /** The text with the smallest and largest number at each place where the texts differ. */

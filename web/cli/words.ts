@@ -1,12 +1,5 @@
 /** Numbers and tables as people read them. */
 
-import { grouped } from '../engine/core/words';
-
-export const count = grouped;
-
-export const plural = (value: number, one: string, many: string): string =>
-  `${count(value)} ${value === 1 ? one : many}`;
-
 /** A share as percent with its sign: "-50.0 %". */
 export function percent(share: number): string {
   const value = 100 * share;

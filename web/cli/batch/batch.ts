@@ -12,7 +12,8 @@ import { findAt } from '../output_files/identity';
 import { checkOutputs } from '../output_files/outputs';
 import { isOwnFile } from '../output_files/own_files';
 import { STANDARD } from '../standard';
-import { count, plain, plural } from '../words';
+import { counted, grouped } from '../../engine/core/words';
+import { plain } from '../words';
 import { runDryBatch } from './dry';
 import { Journal } from './journal';
 import { takeLock } from './lock';
@@ -119,9 +120,9 @@ function sayStart(
   if (quiet) return;
   for (const note of notes) process.stderr.write(`limber: ${plain(note)}.\n`);
   const { jobs, threads, memory } = crew;
-  const megabytes = count(Math.floor(memory / 2 ** 20));
+  const megabytes = grouped(Math.floor(memory / 2 ** 20));
   process.stderr.write(
-    `${plural(requests.length, 'asset', 'assets')}, ${plural(jobs, 'job', 'jobs')} of ${plural(threads, 'thread', 'threads')} and at most ${megabytes} MB each\n`,
+    `${counted(requests.length, 'asset')}, ${counted(jobs, 'job')} of ${counted(threads, 'thread')} and at most ${megabytes} MB each\n`,
   );
 }
 

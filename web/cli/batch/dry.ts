@@ -3,7 +3,8 @@
 import { join } from 'node:path';
 import type { Arguments } from '../arguments';
 import { EXIT } from '../failure';
-import { plain, plural } from '../words';
+import { counted } from '../../engine/core/words';
+import { plain } from '../words';
 import type { Journal } from './journal';
 import type { AssetRequest } from './orders';
 import { reasonOf } from './run';
@@ -27,7 +28,7 @@ export async function runDryBatch(
       process.stdout.write(`${plain(line)}\n`);
     }
   }
-  const todo = plural(requests.length - unchanged, 'asset', 'assets');
+  const todo = counted(requests.length - unchanged, 'asset');
   process.stdout.write(`would optimize ${todo}; ${unchanged} up to date\n`);
   return EXIT.done;
 }

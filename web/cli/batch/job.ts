@@ -3,7 +3,7 @@
 import { fork } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
 import { mkdirSync, rmSync } from 'node:fs';
-import { count } from '../words';
+import { grouped } from '../../engine/core/words';
 import { memoryOf } from './memory';
 import type { WorkDone, WorkOrder } from './messages';
 import { failedRecord } from './record';
@@ -97,7 +97,7 @@ export class Job {
   }
 
   private tooLarge(): string {
-    const megabytes = count(Math.floor(this.options.memory / MEGABYTE));
+    const megabytes = grouped(Math.floor(this.options.memory / MEGABYTE));
     return `takes more than the ${megabytes} MB of a job: give more with --memory, or fewer --jobs`;
   }
 

@@ -1,7 +1,8 @@
 /** What a batch says on the way: a line for each asset, and on a terminal that can redraw one line that stays. */
 
 import { canRedraw, redrawn } from '../terminal';
-import { count, percent, plain } from '../words';
+import { grouped } from '../../engine/core/words';
+import { percent, plain } from '../words';
 import type { AssetRecord } from './record';
 
 /** What progress is written to. */
@@ -52,15 +53,15 @@ export class BatchProgress {
   }
 
   private lineOf(record: AssetRecord): string {
-    const head = `[${count(this.finished)}/${count(this.total)}] ${record.asset}`;
+    const head = `[${grouped(this.finished)}/${grouped(this.total)}] ${record.asset}`;
     return `${head}: ${describeRecord(record)}`;
   }
 
   private redraw(): void {
     if (!this.isLive) return;
-    const failed = this.failed > 0 ? `, ${count(this.failed)} failed` : '';
+    const failed = this.failed > 0 ? `, ${grouped(this.failed)} failed` : '';
     const names = [...this.working].join(', ');
-    const whole = plain(`${count(this.finished)} of ${count(this.total)} assets${failed}: ${names}`);
+    const whole = plain(`${grouped(this.finished)} of ${grouped(this.total)} assets${failed}: ${names}`);
     const text = whole.slice(0, Math.max(20, (this.stream.columns ?? 80) - 1));
     this.stream.write(redrawn(text, this.shown));
     this.shown = text.length;
@@ -81,7 +82,7 @@ export function describeRecord({ state, sentences, ...numbers }: AssetRecord): s
   const { facesBefore, facesAfter, deviation, seconds } = numbers;
   if (facesBefore === null || facesAfter === null) return sentences.join('; ');
   return [
-    `${count(facesBefore)} -> ${count(facesAfter)} faces (${percent(facesAfter / facesBefore - 1)})`,
+    `${grouped(facesBefore)} -> ${grouped(facesAfter)} faces (${percent(facesAfter / facesBefore - 1)})`,
     ...(deviation === null ? [] : [`deviation ${deviation.toFixed(2)} %`]),
     `${seconds.toFixed(1)} s`,
     ...(state === 'missed' ? [`short of a target: ${sentences[0]}`] : []),

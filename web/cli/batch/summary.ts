@@ -1,7 +1,8 @@
 /** What a batch tells in the end: of every asset what became of it, as JSON, CSV and HTML. */
 
 import { VERSION } from '../../engine/core/version';
-import { count, percent, plural } from '../words';
+import { counted, grouped } from '../../engine/core/words';
+import { percent } from '../words';
 import type { AssetRecord, AssetState } from './record';
 
 export const SUMMARY_SCHEMA = 'limber-summary/1';
@@ -58,14 +59,14 @@ export function summaryOf(rows: SummaryRow[], seconds: number): Summary {
 export function describeTotals(totals: SummaryTotals): string {
   const { assets, done, missed, failed, unchanged, facesBefore, facesAfter, seconds } = totals;
   const parts = [
-    `${count(done + missed - unchanged)} optimized`,
-    `${count(unchanged)} up to date`,
-    ...(missed > 0 ? [`${count(missed)} short of a target`] : []),
-    ...(failed > 0 ? [`${count(failed)} failed`] : []),
+    `${grouped(done + missed - unchanged)} optimized`,
+    `${grouped(unchanged)} up to date`,
+    ...(missed > 0 ? [`${grouped(missed)} short of a target`] : []),
+    ...(failed > 0 ? [`${grouped(failed)} failed`] : []),
   ];
   const faces =
     facesBefore > 0
-      ? `; ${count(facesBefore)} -> ${count(facesAfter)} faces (${percent(facesAfter / facesBefore - 1)})`
+      ? `; ${grouped(facesBefore)} -> ${grouped(facesAfter)} faces (${percent(facesAfter / facesBefore - 1)})`
       : '';
-  return `${plural(assets, 'asset', 'assets')}: ${parts.join(', ')}${faces}; ${seconds.toFixed(1)} s`;
+  return `${counted(assets, 'asset')}: ${parts.join(', ')}${faces}; ${seconds.toFixed(1)} s`;
 }

@@ -1,7 +1,7 @@
 /** The summary as one HTML file without anything beside it: styles and pictures are inside, and there is no script. */
 
 import { VERSION } from '../../engine/core/version';
-import { count } from '../words';
+import { grouped } from '../../engine/core/words';
 import { describeTotals } from './summary';
 import type { Summary, SummaryRow } from './summary';
 
@@ -32,7 +32,7 @@ export function summaryHtml(
   const body = rows.map((row, i) => htmlRow(row, i < MOST_PICTURES ? pictureOf(row.asset) : null));
   const less =
     rows.length > MOST_PICTURES
-      ? `<p>Pictures are shown of the first ${count(MOST_PICTURES)}, so that the file stays small.</p>`
+      ? `<p>Pictures are shown of the first ${grouped(MOST_PICTURES)}, so that the file stays small.</p>`
       : '';
   return `<!doctype html>
 <!-- Limber ${VERSION} -->
@@ -41,7 +41,7 @@ export function summaryHtml(
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
-<title>Batch of ${count(totals.assets)} assets</title>
+<title>Batch of ${grouped(totals.assets)} assets</title>
 <style>${STYLES}
 </style>
 </head>
@@ -74,7 +74,7 @@ const HEADS = [
 const rank = ({ state }: SummaryRow): number => ['failed', 'missed', 'done'].indexOf(state);
 
 function htmlRow(row: SummaryRow, picture: Uint8Array | null): string {
-  const number = (value: number | null) => (value === null ? '' : count(value));
+  const number = (value: number | null) => (value === null ? '' : grouped(value));
   const share = (value: number | null) => (value === null ? '' : `${value.toFixed(2)} %`);
   const state = row.state === 'done' && row.isUnchanged ? 'up to date' : row.state;
   const data = picture && Buffer.from(picture).toString('base64');
