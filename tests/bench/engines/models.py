@@ -138,12 +138,13 @@ def lowest_modes(stiffness, mass, count):
                   options={"SymmetricMode": True}, diag_pivot_thresh=0.0)
     block = np.random.default_rng(0).standard_normal((len(mass), min(2 * count + 8, len(mass))))
     before = np.full(count, np.inf)
+    rounding = 8 * np.finfo(float).eps * scaled.diagonal().max()  # of the products below
     for _ in range(MOST_ITERATIONS):
         block, _ = np.linalg.qr(factor.solve(block))
         values, rotation = np.linalg.eigh(block.T @ (scaled @ block))
         block = block @ rotation
         values = values[:count]
-        if np.abs(values - before).max() <= 1e-9 * values[-1]:
+        if np.abs(values - before).max() <= max(1e-9 * values[-1], rounding):
             return values, block[:, :count] / root[:, None]
         before = values
     raise RuntimeError(f"the modes have not converged in {MOST_ITERATIONS} iterations")

@@ -23,11 +23,11 @@ def text(x, y, words, anchor="start", style=""):
 
 def svg(found):
     """`found`: as of `means_in`."""
-    values = [value for _, _, rows in found for _, *pair in rows for value in pair]
+    values = [value for _, _, rows, _ in found for _, *pair in rows for value in pair]
     low, high = np.log10(min(values)) - 0.08, np.log10(max(values)) + 0.08
     at = lambda value: LEFT + (np.log10(value) - low) / (high - low) * (WIDTH - LEFT - RIGHT)
     parts, y = [], 8
-    for title, count, rows in found:
+    for title, count, rows, _ in found:
         parts.append(text(8, y + 16, f"{title} (mean of {count})", style='font-weight="600"'))
         y += HEAD
         for method, before, after in rows:

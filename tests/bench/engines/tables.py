@@ -1,5 +1,7 @@
 """Markdown tables of the results of run.py."""
 
+import re
+
 import numpy as np
 
 import scenes
@@ -76,7 +78,11 @@ def cells_in(section):
 
 
 def means_in(document):
-    """[(heading, number of motions, [(method, as it is, tuned)])] of the tables of motions of a document."""
+    """[(heading, number of motions, [(method, as it is, tuned)], ratios)] of the tables of motions of a document.
+
+    The ratios are those of the sentence below a table: of ours, tuned, over the best other as it is, and over the best other tuned.
+    They come from means before these were rounded.
+    """
     found = []
     for title, section in sections_of(document.split(BEGIN)[1].split(END)[0]).items():
         header, *rows = cells_in(section)
@@ -84,7 +90,8 @@ def means_in(document):
         if title == FREQUENCIES or not means:
             continue
         pairs = [(method, *map(float, cell.split(" -> "))) for method, cell in zip(header, means) if " -> " in cell]
-        found.append((title, int(means[0].split()[-1]), pairs))
+        ratios = re.findall(r"over the best peer [^:]*: (\d+\.\d+)", section)[:2]
+        found.append((title, int(means[0].split()[-1]), pairs, [float(ratio) for ratio in ratios]))
     return found
 
 
@@ -92,10 +99,10 @@ def summary(document):
     """One row for each table of motions: ours as it is and tuned, beside the best of the others, both ways."""
     head = ["", "motions", "Limber as it is", "tuned", "best other as it is", "over that", "best other tuned", "over that"]
     rows = []
-    for title, count, means in means_in(document):
+    for title, count, means, ratios in means_in(document):
         (_, before, after), *others = sorted(means, key=lambda mean: mean[0] not in OURS)
         untouched, tuned = (min(mean[column] for mean in others) for column in (1, 2))
-        numbers = (before, after, untouched, after / untouched, tuned, after / tuned)
+        numbers = (before, after, untouched, ratios[0], tuned, ratios[1])
         rows.append([title, count, *(f"{value:.2f}" for value in numbers)])
     return table(head, rows)
 
