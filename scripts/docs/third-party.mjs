@@ -22,6 +22,7 @@ const USES = {
   fflate: 'ZIP archives',
   gifenc: 'GIFs of the page',
   'gltf-validator': 'the Khronos validator of glTF',
+  'jpeg-js': 'pixels of JPEG textures',
   meshoptimizer: 'meshopt compression, and the simplifier that results are compared with',
   preact: 'elements of the page',
   three: 'drawing, the loader of pictures of glTF, and MikkTSpace',

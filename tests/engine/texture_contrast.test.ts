@@ -1,5 +1,6 @@
 import type { Document, Material } from '@gltf-transform/core';
 import { KHRMaterialsClearcoat, KHRTextureTransform } from '@gltf-transform/extensions';
+import sharp from 'sharp';
 import { describe, expect, it } from 'vitest';
 import type { TriangleMesh } from '../../web/engine/core/core';
 import { costAttributesOf } from '../../web/engine/body/cost_attributes';
@@ -55,6 +56,10 @@ function sheetOf(
   return source;
 }
 
+function setJpeg(material: Material) {
+  material.getBaseColorTexture()!.setMimeType('image/jpeg');
+}
+
 async function prepared(source: Document) {
   const model = await openModel([await glbFile(source)]);
   return { model, body: prepareBody(core, model.bodies[0], defaultSettings(), model.document) };
@@ -92,6 +97,14 @@ describe('the weights of texture coordinates', () => {
     // The spread of positions is that along the ramp and that across it.
     for (const weight of (await weightsOf(sheetOf(picture(ramp))))!)
       expect(weight / ((step * step) / 2)).toBeCloseTo(1, 0);
+  });
+
+  it('are as those of a PNG where the picture is a JPEG', async () => {
+    const jpeg = async (colour: Colour) => sharp(picture(colour)).jpeg({ quality: 100 }).toBuffer();
+    const [left, right] = (await weightsOf(sheetOf(await jpeg(halfFlat), setJpeg)))!;
+    expect(left).toBeLessThan(0.001);
+    expect(right).toBeGreaterThan(0.5);
+    expect(await weightsOf(sheetOf((await jpeg(halfFlat)).subarray(0, 60), setJpeg))).toBeNull();
   });
 
   it('see alpha where it cuts the surface out', async () => {

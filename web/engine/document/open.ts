@@ -11,7 +11,7 @@ import { isOff, readOff } from './off';
 import { readPly } from './ply';
 import { modelOfSurfaces } from './surface';
 import { readSafely } from './checks/reading_failure';
-import { loadDecoder } from './textures/pixels';
+import { loadDecoders } from './textures/pixels';
 import { isBinaryStl, readStl } from './stl';
 
 export type { Body, Format, OpenModel, PrimitiveSpan, SourceFile } from './model';
@@ -45,7 +45,7 @@ export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
     if (format === 'obj') return openObj(file, all);
     return modelOfSurfaces(file.name, format, SURFACE_READERS[format](file));
   });
-  await loadDecoder(model.document);
+  await loadDecoders(model.document);
   return model;
 }
 

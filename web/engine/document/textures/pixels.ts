@@ -1,39 +1,56 @@
-/** The pixels of textures, for what depends on how they look. PNG alone. */
+/** The pixels of textures, for what depends on how they look. PNG and JPEG. */
 
 import type { Document, Texture } from '@gltf-transform/core';
+import { isJpeg } from '../formats/jpeg_mark';
 import type { Pixels } from './png';
 
 /** What is decoded of a file, at most: so many pixels take 0.1 to 0.2 seconds of a processor. */
 export const MOST_PIXELS = 1 << 20;
 
-type Png = typeof import('./png');
+interface Decoder {
+  sizeOf(bytes: Uint8Array): [number, number] | null;
+  decode(bytes: Uint8Array, mostPixels: number): Pixels | null;
+}
 
-let png: Png | null = null;
+const loaders = {
+  png: () => import('./png').then((png): Decoder => ({ sizeOf: png.sizeOfPng, decode: png.decodePng })),
+  jpeg: () =>
+    import('./jpeg').then((jpeg): Decoder => ({ sizeOf: jpeg.sizeOfJpeg, decode: jpeg.decodeJpeg })),
+};
+
+const loaded: { png?: Decoder; jpeg?: Decoder } = {};
 const chosenOf = new WeakMap<Document, Set<Texture>>();
 const known = new WeakMap<Uint8Array, Pixels | null>();
 
-/** Loads the decoder if a document has textures; `pixelsOf` finds nothing before. The page loads it with the first such file. */
-export async function loadDecoder(document: Document): Promise<void> {
-  if (document.getRoot().listTextures().length > 0) png ??= await import('./png').catch(() => null);
+const formatOf = (image: Uint8Array): keyof typeof loaders => (isJpeg(image) ? 'jpeg' : 'png');
+
+/** Loads the decoders of a document's textures; `pixelsOf` finds nothing before. The page loads each with the first such file. */
+export async function loadDecoders(document: Document): Promise<void> {
+  const images = document
+    .getRoot()
+    .listTextures()
+    .flatMap((texture) => texture.getImage() ?? []);
+  for (const format of new Set(images.map(formatOf))) {
+    const decoder = loaded[format] ?? (await loaders[format]().catch(() => undefined));
+    if (decoder) loaded[format] = decoder;
+  }
 }
 
 /**
- * Null if one of the textures of a document is broken, no PNG that can be decoded, or not among those that are decoded: the smallest of
- * the file, as long as they have no more than MOST_PIXELS together.
+ * Null if one of the textures of a document is broken, neither a PNG nor a JPEG that can be decoded, or not among those that are
+ * decoded: the smallest of the file, as long as they have no more than MOST_PIXELS together.
  */
 export function pixelsOf(document: Document, textures: Texture[]): Pixels[] | null {
-  if (!png) return null;
-  const { decodePng, sizeOfPng } = png;
-  if (!chosenOf.has(document))
-    chosenOf.set(document, chosenAmong(document.getRoot().listTextures(), sizeOfPng));
+  if (!chosenOf.has(document)) chosenOf.set(document, chosenAmong(document.getRoot().listTextures()));
   if (!textures.every((texture) => chosenOf.get(document)!.has(texture))) return null;
-  const pixels = textures.map((texture) => decodedOnce(texture.getImage()!, decodePng));
+  const pixels = textures.map((texture) => decodedOnce(texture.getImage()!));
   return pixels.every((one) => one !== null) ? pixels : null;
 }
 
-function chosenAmong(textures: Texture[], sizeOfPng: Png['sizeOfPng']): Set<Texture> {
+function chosenAmong(textures: Texture[]): Set<Texture> {
   const sized = textures.map((texture) => {
-    const [width, height] = sizeOfPng(texture.getImage() ?? new Uint8Array()) ?? [Infinity, 1];
+    const image = texture.getImage() ?? new Uint8Array();
+    const [width, height] = loaded[formatOf(image)]?.sizeOf(image) ?? [Infinity, 1];
     return { texture, count: width * height };
   });
   let room = MOST_PIXELS;
@@ -45,14 +62,14 @@ function chosenAmong(textures: Texture[], sizeOfPng: Png['sizeOfPng']): Set<Text
   );
 }
 
-function decodedOnce(image: Uint8Array, decodePng: Png['decodePng']): Pixels | null {
-  if (!known.has(image)) known.set(image, decoded(image, decodePng));
+function decodedOnce(image: Uint8Array): Pixels | null {
+  if (!known.has(image)) known.set(image, decoded(image));
   return known.get(image)!;
 }
 
-function decoded(image: Uint8Array, decodePng: Png['decodePng']): Pixels | null {
+function decoded(image: Uint8Array): Pixels | null {
   try {
-    return decodePng(image, MOST_PIXELS);
+    return loaded[formatOf(image)]?.decode(image, MOST_PIXELS) ?? null;
   } catch {
     return null;
   }

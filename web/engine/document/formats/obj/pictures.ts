@@ -5,13 +5,13 @@ import type { Document, Texture } from '@gltf-transform/core';
 import { KHRTextureTransform } from '@gltf-transform/extensions';
 import { addressOf } from '../../write/shared_images';
 import type { SourceFile } from '../../model';
+import { isJpeg } from '../jpeg_mark';
 import { isPng, pngChunks } from '../png_chunks';
 import { picturePaths } from './companion_paths';
 import type { LeftOut } from './left_out';
 import type { MtlMap } from './mtl_map';
 import type { NamedFiles } from './named_files';
 
-const JPEG_MARK = [0xff, 0xd8, 0xff];
 /** Mark and first chunk of a PNG. */
 const PNG_HEADER_BYTES = 33;
 /** Where the first chunk of a PNG has its colour type, and the types that have alpha. */
@@ -73,7 +73,7 @@ export class Pictures {
 /** By its first bytes: names do not always tell. */
 function mimeTypeOf(bytes: Uint8Array): 'image/png' | 'image/jpeg' | null {
   if (isPng(bytes) && bytes.length >= PNG_HEADER_BYTES) return 'image/png';
-  return JPEG_MARK.every((byte, i) => bytes[i] === byte) ? 'image/jpeg' : null;
+  return isJpeg(bytes) ? 'image/jpeg' : null;
 }
 
 /** Whether it is a PNG with an alpha channel, or with a list of colours of which some are transparent. */

@@ -1,0 +1,41 @@
+/** Decodes JPEG pictures, in plain JavaScript, so that every engine gets the same pixels. */
+
+import { ImageUtils } from '@gltf-transform/core';
+import { decode } from 'jpeg-js';
+import type { Pixels } from './png';
+
+/** What the decoder may take, in bytes per pixel: progressive pictures are kept as 32-bit coefficients of up to four components. */
+const BYTES_PER_PIXEL = 64;
+
+/** Scans of a progressive picture; usual ones have 10. Each goes through all pixels, however few bytes it has. */
+const MOST_SCANS = 100;
+
+/** Throws an Error where the file is broken, has more pixels than `mostPixels` or too many scans. */
+export function decodeJpeg(bytes: Uint8Array, mostPixels: number): Pixels {
+  if (scanCount(bytes) > MOST_SCANS) throw new Error(`The picture has more than ${MOST_SCANS} scans.`);
+  const { width, height, data } = decode(bytes, {
+    useTArray: true,
+    formatAsRGBA: false,
+    maxResolutionInMP: mostPixels / 1e6,
+    maxMemoryUsageInMB: Math.ceil((BYTES_PER_PIXEL * mostPixels) / 2 ** 20),
+  });
+  return { width, height, channels: 3, data };
+}
+
+/** Of markers of scans; in the data of a scan no byte 0xff is followed by anything but 0 or a number of a restart. */
+function scanCount(bytes: Uint8Array): number {
+  let count = 0;
+  for (let i = bytes.indexOf(0xff); i >= 0; i = bytes.indexOf(0xff, i + 1))
+    if (bytes[i + 1] === 0xda) ++count;
+  return count;
+}
+
+/** The width and height of a JPEG file; null where it does not say them. */
+export function sizeOfJpeg(bytes: Uint8Array): [number, number] | null {
+  try {
+    const [width, height] = ImageUtils.getSize(bytes, 'image/jpeg') ?? [0, 0];
+    return width > 0 && height > 0 ? [width, height] : null;
+  } catch {
+    return null;
+  }
+}
