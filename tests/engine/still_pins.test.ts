@@ -3,7 +3,7 @@ import type { Core } from '../../web/engine/core/core';
 import { SCENARIOS } from '../../web/engine/core/scenarios';
 import { SimulatedBodies } from '../../web/engine/motion/simulated_bodies';
 import { simulationOptions } from '../../web/engine/motion/simulation';
-import { areAllStill } from '../../web/engine/motion/still_pins';
+import { pinTrouble } from '../../web/engine/motion/still_pins';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { loadTestCore } from './support/core';
 import { grid } from './support/shapes';
@@ -36,10 +36,20 @@ test.each(SCENARIOS.map(({ name }) => name))(
   '%s stands still where its words say so, in the core too',
   (name) => {
     for (const pinned of [left, right, Uint32Array.from([...left, ...right]).sort()])
-      expect(areAllStill(name, mesh.positions, pinned)).toBe(!moves(name, pinned));
+      expect(pinTrouble(name, mesh, pinned)).toBe(moves(name, pinned) ? null : 'still');
   },
 );
 
 test('pins of the scenario itself move', () => {
-  expect(areAllStill('twist', mesh.positions, null)).toBe(false);
+  expect(pinTrouble('twist', mesh, null)).toBeNull();
+});
+
+test('pins along the longest side are torn by scenarios that move one half of them', () => {
+  const edge = Uint32Array.from(
+    Array.from({ length: mesh.positions.length / 3 }, (_, v) => v).filter(
+      (v) => mesh.positions[3 * v + 1] === 0,
+    ),
+  );
+  const troubles = SCENARIOS.map(({ name }) => [name, pinTrouble(name, mesh, edge)]);
+  expect(troubles).toEqual(SCENARIOS.map(({ name, movesPins }) => [name, movesPins ? 'torn' : null]));
 });

@@ -10,7 +10,7 @@ import type { PreparedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { askedMotion, solversOf } from '../engine/stages/asked_motion';
 import { describeConvergence } from '../engine/motion/convergence';
-import { areAllStill } from '../engine/motion/still_pins';
+import { describePinTrouble, pinTrouble } from '../engine/motion/still_pins';
 import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
 import { meshReport } from '../engine/report/mesh_report';
 import { calibrationReport, simulationReport, worstMotion } from '../engine/report/motion_report';
@@ -140,8 +140,11 @@ function compareMotions(
     const original = originals[i];
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
-    if (areAllStill(settings.scenario, original.mesh.positions, pinned))
-      session.warnings.push(ofBody(original.body.name, stillText(settings.scenario), originals.length > 1));
+    const trouble = pinTrouble(settings.scenario, original.mesh, pinned);
+    if (trouble) {
+      const told = describePinTrouble(trouble, settings.scenario, flagText);
+      session.warnings.push(ofBody(original.body.name, told, originals.length > 1));
+    }
     const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
     const solvers = solversOf(session.args.settings, original, others?.[i] ?? null, tuning);
     return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
@@ -156,8 +159,7 @@ function compareMotions(
   });
 }
 
-const stillText = (scenario: string): string =>
-  `nothing moves: --scenario ${scenario} moves pins of the upper half, and --pins has none there; leave --pins out or take --scenario sway`;
+const flagText = (name: string, value?: string): string => `--${name}${value ? ` ${value}` : ''}`;
 
 /** Originals at their own coordinates, the others beside them. */
 function recorded(

@@ -6,7 +6,8 @@ import type { Remote } from 'comlink';
 import type { MeshAt, SurfacePoint } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
-import { areAllStill } from '../../engine/motion/still_pins';
+import { pinTrouble } from '../../engine/motion/still_pins';
+import type { PinTrouble } from '../../engine/motion/still_pins';
 import { topCorners } from '../../engine/motion/top_corners';
 import { rotated, rotationOf } from '../../engine/motion/scene_rotation';
 import type { SceneRotation } from '../../engine/motion/scene_rotation';
@@ -135,13 +136,13 @@ function pinnedVertices(): Uint32Array | null {
   return topCorners({ ...body.mesh, positions: rotated(body.mesh.positions, shownRotation()) });
 }
 
-/** Whether nothing moves, as no vertex is held that the scenario moves. */
-export const standsStill = computed(() => {
+/** What is wrong with the held vertices in the scenario; null where nothing is. */
+export const troubleOfPins = computed((): PinTrouble | null => {
   const { value: body } = results.body;
   const pinned = pinnedVertices();
-  if (!body || !pinned || !results.file.value) return false;
-  const positions = rotated(body.mesh.positions, shownRotation());
-  return areAllStill(wants.settings.value.scenario, positions, pinned);
+  if (!body || !pinned || !results.file.value) return null;
+  const mesh = { ...body.mesh, positions: rotated(body.mesh.positions, shownRotation()) };
+  return pinTrouble(wants.settings.value.scenario, mesh, pinned);
 });
 
 /** What both bodies are started with, now. */

@@ -1,21 +1,50 @@
-/** Whether a scenario that moves its pins finds any to move. */
+/** Whether a scenario that moves its pins can do so with those that there are. */
 
 import { boundsOf } from '../core/mesh';
+import type { TriangleMesh } from '../core/core';
 import { scenarioWords } from '../core/scenarios';
 import type { ScenarioName } from '../core/scenarios';
 
+/** Still: nothing moves, as no pin does. Torn: pins that are neighbours part, as one of them moves and the other does not. */
+export type PinTrouble = 'still' | 'torn';
+
 /**
- * Whether nothing moves, as the scenario moves nothing but pins beyond the middle of the longest side, and these are all before it:
- * `pinTarget` in wasm/simulate/scenario.cpp. `positions`: of the original, as it stands; `pinned`: null for those of the scenario.
+ * What is wrong with pins in a scenario that moves those beyond the middle of the longest side, and nothing else: `pinTarget` in
+ * wasm/simulate/scenario.cpp. Null where nothing is. `mesh`: the original, as it stands; `pinned`: null for the pins of the scenario.
  */
-export function areAllStill(
+export function pinTrouble(
   scenario: ScenarioName,
-  positions: Float32Array,
+  mesh: TriangleMesh,
   pinned: Uint32Array | null,
-): boolean {
-  if (pinned === null || !scenarioWords(scenario).movesPins) return false;
+): PinTrouble | null {
+  if (pinned === null || !scenarioWords(scenario).movesPins) return null;
+  const isMoved = movedBy(mesh.positions);
+  if (!pinned.some(isMoved)) return 'still';
+  const isPinned = new Set(pinned);
+  const part = (a: number, b: number) => isPinned.has(a) && isPinned.has(b) && isMoved(a) !== isMoved(b);
+  for (let t = 0; t < mesh.triangles.length; t += 3) {
+    const [a, b, c] = mesh.triangles.subarray(t, t + 3);
+    if (part(a, b) || part(b, c) || part(c, a)) return 'torn';
+  }
+  return null;
+}
+
+/** How the reader writes a setting, with its value or without. */
+type SettingText = (name: 'scenario' | 'pins', value?: string) => string;
+
+/** The sentence of a report, without a full stop. */
+export function describePinTrouble(trouble: PinTrouble, scenario: ScenarioName, write: SettingText): string {
+  const moves = `${write('scenario', scenario)} moves pins of the upper half`;
+  const cure = `leave ${write('pins')} out or take ${write('scenario', 'sway')}`;
+  return trouble === 'still'
+    ? `nothing moves: ${moves}, and ${write('pins')} has none there; ${cure}`
+    : `${moves}, and of the neighbours in ${write('pins')} some lie beyond the middle and some do not, so that they are torn apart; ${cure}`;
+}
+
+/** Whether a vertex lies beyond the middle of the longest side. */
+function movedBy(positions: Float32Array): (v: number) => boolean {
   const { low, high } = boundsOf(positions);
   const sizes = high.map((value, axis) => value - low[axis]);
   const axis = sizes.indexOf(Math.max(...sizes));
-  return pinned.every((v) => positions[3 * v + axis] <= (low[axis] + high[axis]) / 2);
+  return (v) => positions[3 * v + axis] > (low[axis] + high[axis]) / 2;
 }

@@ -12,7 +12,7 @@ import {
   simulationOptions,
   STEP_SECONDS,
 } from '../../engine/motion/simulation';
-import { areAllStill } from '../../engine/motion/still_pins';
+import { describePinTrouble, pinTrouble } from '../../engine/motion/still_pins';
 import { readBinding } from '../../engine/report/binding_file';
 import { meshReport } from '../../engine/report/mesh_report';
 import { calibrationReport, simulationReport } from '../../engine/report/motion_report';
@@ -120,10 +120,9 @@ function moveBodies(
     const original = originals[i];
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
-    if (areAllStill(settings.scenario, original.mesh.positions, pinned))
-      notes.push(
-        `${original.body.name}: nothing moves: scenario "${settings.scenario}" moves pins of the upper half, and pins has none there; leave pins out or take scenario "sway"`,
-      );
+    const trouble = pinTrouble(settings.scenario, original.mesh, pinned);
+    if (trouble)
+      notes.push(`${original.body.name}: ${describePinTrouble(trouble, settings.scenario, settingText)}`);
     const solvers = solversOf(session.settings, original, others?.[i] ?? null, tuning);
     return core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),
@@ -148,3 +147,5 @@ function recorded(motions: MotionComparison[], { originals, others }: Sides): Re
     return [first, { name, mesh: others![i].mesh, positions: other.positions, offset }];
   });
 }
+
+const settingText = (name: string, value?: string): string => `${name}${value ? ` "${value}"` : ''}`;

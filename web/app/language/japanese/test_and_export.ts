@@ -31,6 +31,8 @@ export const TEST_AND_EXPORT: MessageTable = {
   '{ends} held.': '{ends}を固定します。',
   '{end} is not held, and this scenario moves nothing else: both meshes stand still. Hold it by scenario, or take Sway.':
     '{end}が固定されておらず、このシナリオではほかに動くものがないため、どちらのメッシュも静止しています。「シナリオに従う」で固定するか、「揺らす」を選んでください。',
+  'This scenario moves what is held towards {end}, and the held vertices reach across the middle: they are torn apart. Hold by scenario, or take Sway.':
+    'このシナリオは固定した頂点のうち{end}側だけを動かしますが、固定した頂点が中央をまたいでいるため引き裂かれます。「シナリオに従う」で固定するか、「揺らす」を選んでください。',
   'Hold by scenario': 'シナリオに従って固定',
   'Both ends': '両端',
   'The left end': '左端',

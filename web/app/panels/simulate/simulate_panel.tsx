@@ -7,7 +7,8 @@ import type { Settings } from '../../../engine/settings/options';
 import { scenarioEnds } from '../../state/ends';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
-import { standsStill } from '../../state/simulation';
+import { troubleOfPins } from '../../state/simulation';
+import type { PinTrouble } from '../../../engine/motion/still_pins';
 import { pinSource, twin } from '../../state/twin';
 import type { PinSource } from '../../state/twin';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
@@ -44,8 +45,8 @@ export function SimulatePanel() {
       <Section title="Where will it move?">
         <SolverSelect />
       </Section>
-      <Section title="Scenario" hint={standsStill.value ? undefined : describeScenario(scenario)}>
-        {standsStill.value && <StandsStill />}
+      <Section title="Scenario" hint={troubleOfPins.value ? undefined : describeScenario(scenario)}>
+        {troubleOfPins.value && <PinTroubleText trouble={troubleOfPins.value} />}
         <Select
           label="Scenario"
           title={OPTIONS.scenario.help}
@@ -76,15 +77,21 @@ export function SimulatePanel() {
   );
 }
 
-/** What is to be done where all held vertices are at the end that the scenario leaves in place. */
-function StandsStill() {
+/** What is to be done where the scenario cannot move the held vertices, or would tear them apart. */
+function PinTroubleText({ trouble }: { trouble: PinTrouble }) {
+  const end = say(scenarioEnds.value!.high);
   return (
     <>
       <p class="hint warning">
-        {say(
-          '{end} is not held, and this scenario moves nothing else: both meshes stand still. Hold it by scenario, or take Sway.',
-          { end: say(scenarioEnds.value!.high) },
-        )}
+        {trouble === 'still'
+          ? say(
+              '{end} is not held, and this scenario moves nothing else: both meshes stand still. Hold it by scenario, or take Sway.',
+              { end },
+            )
+          : say(
+              'This scenario moves what is held towards {end}, and the held vertices reach across the middle: they are torn apart. Hold by scenario, or take Sway.',
+              { end },
+            )}
       </p>
       <button type="button" onClick={() => (twin.chosenPinSource.value = 'scenario')}>
         {say('Hold by scenario')}
