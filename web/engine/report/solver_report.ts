@@ -98,8 +98,8 @@ function describeFrequencies(
 
 const SCENES: Record<string, string> = {
   sway: 'swaying',
-  hang: 'falling from its pins',
-  'sway and hang': 'swaying and falling from its pins',
+  hang: 'hanging',
+  'sway and hang': 'swaying and hanging',
 };
 
 function describeMotion({ scene, untouched, tuned, noiseFloor, kept }: TunedMotion): string {

@@ -85,8 +85,8 @@ export const ENGINE: MessageTable = {
   '{scene} it is {tuned} of its size away from the original tuned, {untouched} with your own stiffness and the masses of the original (noise {noise}), so the file has your own stiffness and those masses.':
     '{scene}とき、元からのずれは大きさの {tuned} (調整後)、{untouched} (元の剛性と質量) です (ノイズ {noise})。そのため、ファイルには元の剛性と質量を記録します。',
   Swaying: '揺れる',
-  'Falling from its pins': '固定点から垂れる',
-  'Swaying and falling from its pins': '揺れて固定点から垂れる',
+  Hanging: '垂れ下がる',
+  'Swaying and hanging': '揺れて垂れ下がる',
   // web/engine/stages/fit.ts and web/engine/report/fit_words.ts
   'the fit would break a limit of deviation or angle': 'フィットするとずれか角の制限を超えます',
   // web/app/worker, web/engine/document
