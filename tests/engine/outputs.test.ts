@@ -26,7 +26,9 @@ import { levelFiles, writeLevels } from '../../web/cli/levels';
 import { checkRoom } from '../../web/cli/output_files/outputs';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { checkStandard, readStandard } from '../../web/cli/standard';
-import { brokenLimits } from '../../web/engine/stages/missed_targets';
+import { brokenLimits, faceTarget, LIMITS } from '../../web/engine/stages/missed_targets';
+import { PRESET_NAMES, settingsOfPreset } from '../../web/engine/settings/presets';
+import { defaultSettings } from '../../web/engine/settings/options';
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
 import { failureOf, SQUARE_OBJ, textFile } from './support/files';
@@ -357,6 +359,14 @@ describe('a level that fails', () => {
 });
 
 describe('a target', () => {
+  it.each(PRESET_NAMES)('is half of the faces with the preset %s, whose limits are none', (name) => {
+    const settings = { ...defaultSettings(), ...settingsOfPreset(name) };
+    const asked = { faces: null, ratio: null, settings };
+    expect(faceTarget({ ...asked, limits: new Set() })).toEqual({ faces: null, ratio: 0.5 });
+    for (const limit of LIMITS)
+      expect(faceTarget({ ...asked, limits: new Set([limit]) }).ratio).toBe(settings[limit] > 0 ? null : 0.5);
+  });
+
   it('that is a limit is missed where it was asked for and is not kept', () => {
     const limits = { maxDeviation: 1, maxFrequencyError: 5 };
     const found = { deviation: 1.2, frequencyError: 6 };

@@ -50,7 +50,7 @@ it('notes a target that is missed, as the command line warns of it, and knows se
     expect.stringMatching(/^Stopped at \d+ faces, not 2: /),
   ]);
   expect(await notesOf({ faces: 2 })).toEqual([
-    expect.stringMatching(/fewer would go beyond 1 %; maxDeviation 0 lifts this$/),
+    expect.stringMatching(/the next collapses would go beyond 1 %; maxDeviation 0 lifts this$/),
   ]);
   expect(await notesOf({ lods: [0.001] })).toEqual([
     expect.stringMatching(/^lod1: ring stopped at \d+ faces, /),

@@ -13,8 +13,8 @@ import { STAGES } from './stages';
 
 const DEFAULT_RATIO = 0.5;
 
-/** Limits that are guards by default, of which nothing is missed. */
-export const LIMITS = ['maxDeviation', 'maxFrequencyError'] as const satisfies SettingName[];
+/** Limits of which nothing is missed where a default or a preset sets them: they are guards then. */
+export const LIMITS = ['maxDeviation', 'minAngle', 'maxFrequencyError'] as const satisfies SettingName[];
 
 /** What was asked for. */
 export interface AskedTargets extends FaceTarget {
@@ -45,9 +45,7 @@ export interface MissedTargets {
 
 /** The faces that are asked for; half of them where nothing else is a target. */
 export function faceTarget({ faces, ratio, settings, limits }: AskedTargets): FaceTarget {
-  const { minAngle, maxFrequencyError } = settings;
-  const isAlone =
-    faces === null && !asksForDeviation({ limits, settings }) && minAngle === 0 && maxFrequencyError === 0;
+  const isAlone = faces === null && !LIMITS.some((name) => limits.has(name) && settings[name] > 0);
   return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
 }
 
@@ -96,7 +94,7 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
   const [{ body, faces, deviation, limit }] = [...guarded].sort((a, b) => b.deviation - a.deviation);
   const others =
     guarded.length > 1 ? ` and ${counted(guarded.length - 1, 'other body', 'other bodies')}` : '';
-  return `${where}${body}${others} stopped at ${grouped(faces)} faces, ${deviation.toFixed(2)} % of its diagonal from the original: fewer would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
+  return `${where}${body}${others} stopped at ${grouped(faces)} faces, ${deviation.toFixed(2)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
 }
 
 /** What lies within rounding of a limit keeps it. */
