@@ -186,5 +186,18 @@ TEST(ModeNames, tellBendingTwistingStretchingBreathingAndLocalMotionApart) {
   EXPECT_EQ(nameOf(ModeObserver(ball).observe(asColumn(ball.positions))), ModeName::Breathe);
 }
 
+// A square has no longest axis: names go by its first side, whatever its triangles are like.
+TEST(ModeNames, ofASquareGoByItsSides) {
+  const TriangleMesh square = shapes::grid(20, 20);
+  const ModeObserver observer(square);
+  const auto name = [&](const auto& height) {
+    std::vector<Vec3> shape;
+    for (const Vec3& p : square.positions) shape.push_back({0, 0, height(p.x - 0.5, p.y - 0.5)});
+    return nameOf(observer.observe(asColumn(shape)));
+  };
+  EXPECT_EQ(name([](double x, double y) { return x * y; }), ModeName::Twist);
+  EXPECT_EQ(name([](double x, double y) { return x * x - y * y; }), ModeName::Bend);
+}
+
 }  // namespace
 }  // namespace limber

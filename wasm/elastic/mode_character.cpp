@@ -51,8 +51,7 @@ void addSection(const SectionMoments& section, const Eigen::Vector3d& axis, Mode
 }  // namespace
 
 ModeObserver::ModeObserver(const TriangleMesh& mesh) : mesh_(mesh), mass_(lumpedAreas(mesh)) {
-  const PrincipalAxes axes = principalAxes(mesh);
-  axis_ = axes.axis[2];
+  axis_ = longestAxis(mesh);
   if (isClosed(buildIncidence(mesh))) normal_ = vertexNormals(mesh);
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Vec3& p : mesh.positions) {

@@ -11,7 +11,8 @@ namespace limber {
 // What a mode shape does, as shares of its kinetic energy over the surface, with area as mass m. Each in [0,
 // 1].
 struct ModeCharacter {
-  // From cross-sections across the longest principal axis, each fitted with a rigid motion of its own:
+  // From cross-sections across the longest axis (see longestAxis), each fitted with a rigid motion of its
+  // own:
   double stretch = 0;  // sections move along the axis
   double bend = 0;     // sections move across the axis or lean
   double twist = 0;    // sections rotate about the axis
@@ -23,7 +24,7 @@ struct ModeCharacter {
   double participation = 0;
 };
 
-// Measures mode shapes of one body against its principal axes. The mesh must outlive the object.
+// Measures mode shapes of one body against its longest axis. The mesh must outlive the object.
 class ModeObserver {
  public:
   explicit ModeObserver(const TriangleMesh& mesh);

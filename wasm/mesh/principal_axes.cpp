@@ -7,6 +7,13 @@
 
 namespace limber {
 
+namespace {
+
+// Variances that differ by less than this share are one; then lengths differ by half of it.
+constexpr double kAlike = 0.01;
+
+}  // namespace
+
 PrincipalAxes principalAxes(const TriangleMesh& mesh) {
   return principalAxes(mesh.positions, lumpedAreas(mesh));
 }
@@ -27,6 +34,7 @@ PrincipalAxes principalAxes(std::span<const Vec3> points, std::span<const double
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   for (int k = 0; k < 3; ++k) {
+    axes.variance[static_cast<size_t>(k)] = solver.eigenvalues()[k];
     const Eigen::Vector3d axis = solver.eigenvectors().col(k);
     int largest = 0;
     for (int c = 1; c < 3; ++c)
@@ -35,6 +43,20 @@ PrincipalAxes principalAxes(std::span<const Vec3> points, std::span<const double
     axes.axis[static_cast<size_t>(k)] = {sign * axis[0], sign * axis[1], sign * axis[2]};
   }
   return axes;
+}
+
+Vec3 longestAxis(const TriangleMesh& mesh) {
+  const PrincipalAxes axes = principalAxes(mesh);
+  const Bounds box = bounds(mesh);
+  const Vec3 size = box.high - box.low;
+  int longest = 0;
+  for (int c = 1; c < 3; ++c)
+    if (size[c] > size[longest]) longest = c;
+  Vec3 nearest;
+  for (size_t k = 0; k < 3; ++k)
+    if (axes.variance[k] >= (1 - kAlike) * axes.variance[2]) nearest += axes.axis[k] * axes.axis[k][longest];
+  const double part = length(nearest);
+  return part > 0 ? nearest * (1 / part) : axes.axis[2];
 }
 
 }  // namespace limber
