@@ -272,5 +272,35 @@ TEST(ClosestPoint, isAnyNearEnoughOneOrTheClosest) {
   EXPECT_GT(early, 0);
 }
 
+// The middle of the ridge of a roof of four large triangles is farthest from a valley that crosses below it.
+TEST(SurfaceDistance, isFoundOnAnEdge) {
+  const TriangleMesh roof{{{0, 0, 0}, {1, 0, 0}, {1, 0.5, 0.3}, {0, 0.5, 0.3}, {1, 1, 0}, {0, 1, 0}},
+                          {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}};
+  TriangleMesh valley = shapes::grid(8, 8);
+  for (Vec3& p : valley.positions) p.z = -0.1 * (1 - std::abs(2 * p.x - 1));
+  const double expected = 0.4 / std::sqrt(1.04);
+  Job job;
+  const SurfaceDistanceOptions few{.samples = 10};
+  EXPECT_NEAR(measureSurfaceDistance(roof, valley, few, job).hausdorff, expected, 1e-9);
+  EXPECT_NEAR(measureHausdorff(valley, roof, few, job), expected, 1e-9);
+  EXPECT_FALSE(isWithinHausdorff(roof, valley, 0.999 * expected, few, job));
+  EXPECT_TRUE(isWithinHausdorff(roof, valley, 1.001 * expected, few, job));
+}
+
+TEST(SurfaceSamples, ofEdgesAreCloseTogetherAndInTheMiddle) {
+  const TriangleMesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  const auto inside = [&](double spacing) {
+    std::vector<double> found;
+    for (const Vec3& p : sampleEdges(one, spacing))
+      if (std::abs(p.x + p.y - 1) < 1e-12 && p.x > 0 && p.x < 1) found.push_back(p.x);
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  };
+  EXPECT_EQ(inside(10), std::vector<double>{0.5});
+  EXPECT_EQ(inside(0.5), (std::vector<double>{0.25, 0.5, 0.75}));
+  EXPECT_EQ(inside(1e-9).size(), 63u);
+}
+
 }  // namespace
 }  // namespace limber

@@ -101,14 +101,27 @@ uint32_t sampleCount(const TriangleMesh& a, const TriangleMesh& b, uint32_t want
   return static_cast<uint32_t>(std::clamp(proportional, kFewestSamples, kMostSamples));
 }
 
+// Where two surfaces are farthest apart one of them often has an edge. About half as many points as
+// `samples`, those on the surface.
+std::vector<Vec3> edgePoints(const TriangleMesh& mesh, size_t samples) {
+  double total = 0;
+  for (const Triangle& t : mesh.triangles)
+    for (size_t c = 0; c < 3; ++c) total += length(mesh.positions[t[c]] - mesh.positions[t[(c + 1) % 3]]);
+  return samples > 0 && total > 0 ? sampleEdges(mesh, total / static_cast<double>(samples))
+                                  : std::vector<Vec3>();
+}
+
 // The distances from one surface to the other.
 struct OneSided {
   double hausdorff, mean;
 };
 
 OneSided measureFrom(const TriangleMesh& from, const ClosestPointTree& to, uint32_t samples, Job& job) {
-  const auto sampled = distances(sampleSurface(from, samples).positions, to, job);
-  return {largestDistance(from.positions, pointsOf(to), largest(sampled), job), mean(sampled)};
+  const auto positions = sampleSurface(from, samples).positions;
+  const auto sampled = distances(positions, to, job);
+  double hausdorff = largestDistance(from.positions, pointsOf(to), largest(sampled), job);
+  hausdorff = largestDistance(edgePoints(from, positions.size()), pointsOf(to), hausdorff, job);
+  return {hausdorff, mean(sampled)};
 }
 
 }  // namespace
@@ -143,7 +156,9 @@ double measureHausdorff(const TriangleMesh& a, const TriangleMesh& b, const Surf
   double largest = 0;
   const auto measure = [&](const TriangleMesh& from, const ClosestPointTree& to) {
     largest = largestDistance(from.positions, pointsOf(to), largest, job);
-    largest = largestDistance(sampleSurface(from, samples).positions, pointsOf(to), largest, job);
+    const auto positions = sampleSurface(from, samples).positions;
+    largest = largestDistance(positions, pointsOf(to), largest, job);
+    largest = largestDistance(edgePoints(from, positions.size()), pointsOf(to), largest, job);
   };
   measure(a, trees.ofB());
   job.report(0.5);
@@ -159,8 +174,9 @@ bool isWithinHausdorff(const TriangleMesh& a, const TriangleMesh& b, double limi
   const uint32_t samples = sampleCount(a, b, options.samples);
   const TwoTrees trees(a, b);
   const auto isWithin = [&](const TriangleMesh& from, const ClosestPointTree& to) {
-    return areWithin(from.positions, to, limit, job) &&
-           areWithin(sampleSurface(from, samples).positions, to, limit, job);
+    const auto positions = sampleSurface(from, samples).positions;
+    return areWithin(from.positions, to, limit, job) && areWithin(positions, to, limit, job) &&
+           areWithin(edgePoints(from, positions.size()), to, limit, job);
   };
   const bool areBoth = isWithin(a, trees.ofB()) && isWithin(b, trees.ofA());
   job.report(1);

@@ -6,14 +6,14 @@
 namespace limber {
 
 struct SurfaceDistanceOptions {
-  // Area-uniform sample points per side, in addition to all vertices. 0: ten per triangle of the finer mesh,
-  // within [10,000, 500,000].
+  // Area-uniform sample points per side, in addition to all vertices and to points on the edges. 0: ten per
+  // triangle of the finer mesh, within [10,000, 500,000].
   uint32_t samples = 0;
 };
 
 // Distances in the units of the meshes.
 struct SurfaceDistance {
-  double hausdorff = 0;  // symmetric: the largest distance from either side, over samples and vertices
+  double hausdorff = 0;  // symmetric: the largest distance from either side, over all these points
   double mean = 0;       // over the samples, averaged over both sides
   // Symmetric, from vertices to the nearest vertices: what the paper calls Hausdorff distance
   // (docs/paper.md).

@@ -1,8 +1,27 @@
 #include "mesh/surface_samples.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace limber {
+
+namespace {
+
+constexpr double kMostOnEdge = 63;
+
+struct EdgePoints {
+  Vec3 from, step;
+  int count;  // odd
+};
+
+// Two triangles go along an edge in opposite directions: each has every second point, and the middle.
+void add(const EdgePoints& edge, bool isUpwards, std::vector<Vec3>& out) {
+  const int middle = (edge.count + 1) / 2;
+  for (int k = 1; k <= edge.count; ++k)
+    if (k == middle || (k % 2 == 1) == isUpwards) out.push_back(edge.from + edge.step * k);
+}
+
+}  // namespace
 
 SurfaceSamples sampleSurface(const TriangleMesh& mesh, uint32_t count) {
   double total = 0;
@@ -32,6 +51,20 @@ SurfaceSamples sampleSurface(const TriangleMesh& mesh, uint32_t count) {
     samples.triangles.push_back(t);
   }
   return samples;
+}
+
+std::vector<Vec3> sampleEdges(const TriangleMesh& mesh, double spacing) {
+  std::vector<Vec3> points;
+  for (const Triangle& triangle : mesh.triangles)
+    for (size_t c = 0; c < 3; ++c) {
+      const uint32_t from = triangle[c], to = triangle[(c + 1) % 3];
+      const Vec3& low = mesh.positions[std::min(from, to)];
+      const Vec3& high = mesh.positions[std::max(from, to)];
+      const double gaps = std::clamp(std::ceil(length(high - low) / spacing), 2.0, kMostOnEdge + 1);
+      const int count = (static_cast<int>(gaps) - 1) | 1;
+      add({low, (high - low) * (1.0 / (count + 1)), count}, from < to, points);
+    }
+  return points;
 }
 
 }  // namespace limber

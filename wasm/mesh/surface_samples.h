@@ -17,4 +17,9 @@ struct SurfaceSamples {
 // area. O(triangles + count).
 SurfaceSamples sampleSurface(const TriangleMesh& mesh, uint32_t count);
 
+// Points inside the edges, in the order of the triangles: the middle of each, and between it and the ends as
+// many as bring neighbours to at most `spacing` > 0, up to 63 in all. An edge with one triangle may have
+// every second of them alone, and middles come twice. O(triangles + points).
+std::vector<Vec3> sampleEdges(const TriangleMesh& mesh, double spacing);
+
 }  // namespace limber
