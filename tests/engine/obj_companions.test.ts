@@ -1,6 +1,15 @@
-/** Which files on the disk are read with an OBJ, and belong to it. The files are real; no work is done. */
+/** Which files on the disk are read with an OBJ, belong to it, and are written with one. The files are real. */
 
-import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
@@ -120,5 +129,71 @@ describe('the key of an asset of a batch', () => {
     expect(second).not.toBe(first);
     write('mats/my set.mtl', 'newmtl m\nKd 1 0 0\n');
     expect([first, second]).not.toContain(await key());
+  });
+});
+
+/** Runs the command line in the folder above that of the OBJ. */
+function limber(...words: string[]) {
+  const program = new URL('../../dist/cli/limber.mjs', import.meta.url).pathname;
+  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...words], {
+    cwd: top,
+    encoding: 'utf8',
+  });
+  return { code: status, stdout, said: stderr };
+}
+
+describe('an OBJ written into another folder', () => {
+  const COMPANIONS = ['mats/my set.mtl', 'mats/my skin.png', 'mats/shine.png', 'glow.png', 'mats/other.png'];
+  const isSame = (name: string, folder = 'out') =>
+    readFileSync(join(top, folder, name)).equals(readFileSync(at(name)));
+  beforeEach(() => mkdirSync(join(top, 'out')));
+
+  it('has the libraries of its input and their pictures beside it, byte for byte', () => {
+    expect(limber('optimize', 'set/a.obj', 'out/b.obj', '--soft', '--dry-run').stdout.split('\n')).toEqual([
+      'a.obj: OBJ, 1 body, 4 faces',
+      'would write out/b.obj',
+      ...COMPANIONS.map((name) => `would write out/${name}, which belongs to OUT`),
+      '',
+    ]);
+    const { code, said } = limber('optimize', 'set/a.obj', 'out/b.obj', '--soft');
+    expect([code, said]).toEqual([0, expect.not.stringMatching(/leaves out/)]);
+    expect(COMPANIONS.filter((name) => !isSame(name))).toEqual([]);
+  });
+
+  it('replaces none of the files of the user without --force, and what limber has written', () => {
+    mkdirSync(join(top, 'out', 'mats'));
+    writeFileSync(join(top, 'out', 'glow.png'), 'mine');
+    const words = ['optimize', 'set/a.obj', 'out/a.obj', '--soft'];
+    expect(limber(...words).said).toMatch(
+      /out\/glow\.png, which belongs to out\/a\.obj, exists: choose another/,
+    );
+    expect(existsSync(join(top, 'out', 'a.obj'))).toBe(false);
+    expect(limber(...words, '--force').code).toBe(0);
+    expect(isSame('glow.png')).toBe(true);
+    write('glow.png', pngOf([[[0, 255, 0]]]));
+    expect(limber(...words).code).toBe(0);
+    expect(isSame('glow.png')).toBe(true);
+  });
+
+  it('in the folder of the input writes nothing but itself', () => {
+    const { stdout } = limber('optimize', 'set/a.obj', 'set/b.obj', '--dry-run');
+    expect(stdout.split('\n').slice(1)).toEqual(['would write set/b.obj', '']);
+  });
+
+  it('goes to stdout alone, which is said', () => {
+    const { code, stdout, said } = limber('optimize', 'set/a.obj', '-', '--format', 'obj', '--soft');
+    expect([code, stdout.split('\n')[1]]).toEqual([0, 'mtllib mats/my set.mtl']);
+    expect(said).toContain('stdout leaves out mats/my set.mtl and 4 files more, which it names.');
+    expect(existsSync(join(top, 'mats'))).toBe(false);
+  });
+
+  it('of a batch is done again where one of its files is gone or has changed', () => {
+    const run = () =>
+      /(\d) optimized/.exec(limber('batch', 'set', 'out', '--format', 'obj', '--soft').stdout)?.[1];
+    expect([run(), run()]).toEqual(['1', '0']);
+    rmSync(join(top, 'out', 'mats', 'other.png'));
+    expect([run(), isSame('mats/other.png')]).toEqual(['1', true]);
+    write('mats/shine.png', pngOf([[[0, 255, 0]]]));
+    expect([run(), isSame('mats/shine.png'), run()]).toEqual(['1', true, '0']);
   });
 });

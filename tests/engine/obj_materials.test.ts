@@ -417,13 +417,31 @@ describe('what is written of a model with a library', () => {
     ]);
     expect(lostIn('obj', model)).toEqual([]);
     const files = await write(model, 'b.obj');
-    expect(files.map(({ name }) => name)).toEqual(['b.obj']);
+    expect(files.map(({ name }) => name)).toEqual(['b.obj', 'a.mtl', 'my skin.png']);
     const text = new TextDecoder().decode(files[0].bytes);
     expect(text.match(/^(mtllib|usemtl) .*$/gm)).toEqual([
       'mtllib a.mtl b.mtl',
       'mtllib c d.mtl',
       'usemtl m',
     ]);
+  });
+
+  const RED_MTL = 'newmtl m\nKd 1 0 0\n';
+
+  it('names the library of its own name as OBJ, where those that it names are not there', async () => {
+    const model = await openModel([square('m', 'mtllib former.mtl\n', 'a.obj'), textFile('a.mtl', RED_MTL)]);
+    const files = await write(model, 'b.obj');
+    expect(files.map(({ name }) => name)).toEqual(['b.obj', 'a.mtl']);
+    expect(materialsOf(await openModel(files))[0].getBaseColorFactor()).toEqual([1, 0, 0, 1]);
+  });
+
+  it('leaves out a library that came from outside of its folder, which is said', async () => {
+    const model = await openModel([
+      square('m', 'mtllib ../b.mtl\n', 'set/a.obj'),
+      textFile('b.mtl', RED_MTL),
+    ]);
+    expect(lostIn('obj', model)).toEqual(['b.mtl (not in the folder of the input)']);
+    expect((await write(model, 'c.obj')).map(({ name }) => name)).toEqual(['c.obj']);
   });
 
   it('has the pictures beside it as glTF, under their names', async () => {

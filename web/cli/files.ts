@@ -19,9 +19,14 @@ export interface ModelFiles {
 
 /**
  * The model file; for a glTF or an OBJ also the files that it names, as far as they exist in its folder. `from`: the format of stdin, null
- * where its bytes tell. Throws UsageError.
+ * where its bytes tell. `carries`: whether an OBJ comes with all pictures of its libraries, as they are written again, and not with those of
+ * its materials alone. Throws UsageError.
  */
-export async function readModelFiles(path: string, from: string | null = null): Promise<ModelFiles> {
+export async function readModelFiles(
+  path: string,
+  from: string | null = null,
+  carries = false,
+): Promise<ModelFiles> {
   // A model from a pipe has no folder.
   if (path === STANDARD)
     return {
@@ -35,8 +40,9 @@ export async function readModelFiles(path: string, from: string | null = null): 
     .map((name) => ({ name, path: join(dirname(path), name) }))
     .filter((companion) => existsSync(companion.path) && isWithin(companion.path, folders))
     .map((companion) => ({ ...companion, bytes: readBytes(companion.path) }));
-  const { read, named } = objCompanions(path, main, folders);
-  const ofObj = read.map((name) => ({ name, bytes: readBytes(join(dirname(path), name)) }));
+  const { read, pictures, named } = objCompanions(path, main, folders);
+  const all = carries ? [...new Set([...read, ...pictures])] : read;
+  const ofObj = all.map((name) => ({ name, bytes: readBytes(join(dirname(path), name)) }));
   return {
     files: [main, ...companions.map(({ name, bytes }) => ({ name, bytes })), ...ofObj],
     paths: [

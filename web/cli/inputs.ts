@@ -2,6 +2,7 @@
 
 import { existsSync } from 'node:fs';
 import type { SourceFile } from '../engine/document/open';
+import { staysObj } from '../engine/document/write/output_form';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
 import { readModelFiles } from './files';
@@ -31,9 +32,10 @@ export async function checkFiles(args: Arguments): Promise<CheckedFiles> {
   checkStandard({ inputs, models, reports, others, levels: settings.lods.length });
   checkEndings(outputs, settings.format !== 'auto');
   const files = new Map<string, SourceFile[]>();
+  const carries = command === 'optimize' && staysObj(operands[1], settings.format);
   const paths: string[] = otherInputs(args);
   for (const input of inputs) {
-    const model = await readModelFiles(input, args.from);
+    const model = await readModelFiles(input, args.from, carries);
     files.set(input, model.files);
     paths.push(...model.paths);
   }

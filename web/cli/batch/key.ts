@@ -8,7 +8,7 @@ import { TARGET_NAMES } from '../../engine/settings/batch_config';
 import type { AssetRequest } from './orders';
 
 /** Later versions of the journal remember more, so that what older ones wrote is made again. */
-const KEY_VERSION = 'limber-batch-key/1';
+const KEY_VERSION = 'limber-batch-key/2';
 
 /**
  * SHA-256 of the input with its companions, the options as they count, the name of the result, and the version of limber. Two

@@ -2,6 +2,7 @@
 
 import { mkdirSync, rmSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
+import { staysObj } from '../../engine/document/write/output_form';
 import type { Arguments } from '../arguments';
 import { describeFailure } from '../failure';
 import { readModelFiles } from '../files';
@@ -33,7 +34,9 @@ export interface BatchOptions {
 /** Why an asset has to be done; null: it is up to date. */
 export function reasonOf(request: AssetRequest, out: string, journal: Journal): Promise<Reason> {
   const { asset } = request;
-  const key = async () => keyOf((await readModelFiles(asset.path)).files, request, asset.result);
+  const carries = staysObj(asset.result, 'auto');
+  const key = async () =>
+    keyOf((await readModelFiles(asset.path, null, carries)).files, request, asset.result);
   return reasonToDo(journal.get(asset.name), key, (file) => hashOfResult(out, file));
 }
 

@@ -19,13 +19,15 @@ const MOST_OF_LINE = 4096;
 export interface ObjCompanions {
   /** paths, from the folder of the OBJ, of libraries and of pictures of the materials that it uses */
   read: string[];
+  /** paths, from there, of all pictures that its libraries name */
+  pictures: string[];
   /** paths of all that it and its libraries name, also outside of the folder */
   named: string[];
 }
 
 /** What is read lies in or below `folders`. Nothing for other formats. */
 export function objCompanions(path: string, main: SourceFile, folders: string[]): ObjCompanions {
-  if (!main.name.toLowerCase().endsWith('.obj')) return { read: [], named: [] };
+  if (!main.name.toLowerCase().endsWith('.obj')) return { read: [], pictures: [], named: [] };
   const statements = statementsOf(main, 'mtllib');
   const besides = (name: string) => join(dirname(path), name);
   const files = new FoundFiles(dirname(path), folders);
@@ -34,7 +36,7 @@ export function objCompanions(path: string, main: SourceFile, folders: string[])
   // Nothing names the last one.
   const libraries = existing([...ofStatements, files.find(wanted[wanted.length - 1], false)]);
   const used = new Set(statementsOf(main, 'usemtl'));
-  const read = new Set(libraries);
+  const [read, all] = [new Set(libraries), new Set<string>()];
   const named = [...ofStatements, ...namedLibraries(statements)].map(besides);
   for (const library of libraries) {
     const file = libraryAt(besides(library), library);
@@ -43,10 +45,15 @@ export function objCompanions(path: string, main: SourceFile, folders: string[])
     existing(picturesRead(file, used).map(pictureAt)).forEach((picture) => read.add(picture));
     if (!ofStatements.includes(library)) continue;
     const pictures = picturesIn(file);
-    named.push(...existing(pictures.map(pictureAt)).map(besides));
+    existing(pictures.map(pictureAt)).forEach((picture) => all.add(picture));
     named.push(...pictures.map((picture) => join(dirname(besides(library)), picture)));
   }
-  return { read: [...read], named: [...new Set(named)].filter((one) => existsSync(one)) };
+  named.push(...[...all].map(besides));
+  return {
+    read: [...read],
+    pictures: [...all],
+    named: [...new Set(named)].filter((one) => existsSync(one)),
+  };
 }
 
 /** What follows each statement of this keyword, as far as whole lines say: more than those that the reader takes, and never fewer. */

@@ -7,6 +7,7 @@ import type { OpenModel, SourceFile } from '../../engine/document/open';
 import { companionsOf } from '../../engine/document/write/export_files';
 import type { Companion } from '../../engine/document/write/shared_images';
 import { checkWritten } from '../../engine/stages/written_form';
+import { counted } from '../../engine/core/words';
 import type { Arguments } from '../arguments';
 import { UsageError } from '../failure';
 import { identityOf } from './identity';
@@ -35,17 +36,26 @@ export function checkModelOutputs(asked: Asked, model: OpenModel, chosen: number
   const path = args.operands[1];
   const written = checkWritten(model, chosen, { name: fileName(path), settings: args.settings });
   const companions = (file: string) => companionsOf(model, fileName(file), written.form);
-  if (path === STANDARD && companions(path).length > 0)
-    throw new UsageError(
-      `stdout takes one file, and a .${written.form.format} has others beside it: name a file, or give --format ${written.form.format}.zip.`,
-    );
+  if (path === STANDARD) return ofStandard(written, companions(path));
   const taken = new Set(
     checked.outputs.filter((one) => one.path !== STANDARD).map((one) => identityOf(one.path)),
   );
   const beside = [path, ...levelFiles(args)].flatMap((file) =>
     companions(file).map((companion) => checkCompanion(asked, file, companion, taken)),
   );
-  return { ...written, companions: [...new Set(beside)] };
+  return { ...written, companions: [...new Set(beside)].filter((file) => !isFileOf(checked, file)) };
+}
+
+/** Throws UsageError where files are made that stdout has no place for; those of the input are left out. */
+function ofStandard({ form, lost }: Omit<ModelOutputs, 'companions'>, companions: Companion[]): ModelOutputs {
+  const [first] = companions;
+  if (companions.some(({ bytes }) => bytes === null))
+    throw new UsageError(
+      `stdout takes one file, and a .${form.format} has others beside it: name a file, or give --format ${form.format}.zip.`,
+    );
+  const others = companions.length > 1 ? ` and ${counted(companions.length - 1, 'file')} more,` : '';
+  const left = first ? [`${first.name}${others || ','} which it names`] : [];
+  return { form, lost: [...lost, ...left], companions: [] };
 }
 
 /** Throws UsageError where a model without triangles, which is passed on, is to have more than OUT. */
@@ -72,21 +82,24 @@ function checkCompanion(
     throw new UsageError(
       `${path}, which belongs to ${model}, is another output: choose another name for one of them.`,
     );
-  // A picture that is there already need not be written.
-  if (companion.image && hasBytes(path, companion.image)) return path;
+  // What does not change and is there already need not be written.
+  if (companion.bytes && hasBytes(path, companion.bytes)) return path;
   const belongsToInput = isInput(checked, path);
   // Which other files may be replaced, a batch finds out when it takes its results.
   if (isHosted && !belongsToInput) return path;
   if (belongsToInput)
     throw new UsageError(
-      `${path}, which belongs to ${model}, belongs to the input: choose another name for OUT.`,
+      `${path}, which belongs to ${model}, belongs to the input: choose another ${companion.bytes ? 'folder' : 'name'} for OUT.`,
     );
   if (existsSync(path) && !args.force && !isOwnCompanion(path, model))
     throw new UsageError(
-      `${path}, which belongs to ${model}, exists: choose another name for OUT, or replace it with --force.`,
+      `${path}, which belongs to ${model}, exists: choose another ${companion.bytes ? 'folder' : 'name'} for OUT, or replace it with --force.`,
     );
   return path;
 }
+
+/** Whether the file is there, and is an input. */
+const isFileOf = (checked: CheckedFiles, path: string): boolean => existsSync(path) && isInput(checked, path);
 
 function isInput({ inputs }: CheckedFiles, path: string): boolean {
   const identity = identityOf(path);
@@ -104,6 +117,7 @@ function hasBytes(path: string, bytes: Uint8Array): boolean {
  */
 export function saveFiles(session: Session, path: string, files: SourceFile[], write = save): void {
   const [main, ...others] = files;
+  if (path === STANDARD) return write(session, path, main.bytes);
   for (const { name, bytes } of others) {
     const own = join(dirname(path), name);
     if (hasBytes(own, bytes) && (!session.isHosted || isInput(session.checked, own))) continue;

@@ -54,4 +54,8 @@ export interface OpenModel {
   foreign?: Foreign | null;
   /** names of the material libraries of an OBJ, which a written OBJ names again */
   libraries?: string[];
+  /** these libraries and their pictures, under their paths from the folder of the OBJ: they are written beside a written OBJ */
+  carried?: SourceFile[];
+  /** names of libraries and pictures that cannot be beside a written OBJ */
+  outside?: string[];
 }

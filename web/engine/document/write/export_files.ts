@@ -50,7 +50,7 @@ export async function exportFiles(
 export function companionsOf(model: OpenModel, name: string, form: OutputForm): Companion[] {
   if (form.isZipped) return [];
   if (form.format === 'gltf') return gltfCompanions(model.document, name);
-  return form.format === 'obj' ? objCompanions(model.document, name, model.libraries ?? []) : [];
+  return form.format === 'obj' ? objCompanions(model.document, name, model) : [];
 }
 
 async function filesOf(
@@ -73,8 +73,8 @@ async function filesOf(
     further,
   });
   if (format === 'ply') return [writePly(document, name, GENERATOR)];
-  if (format === 'obj')
-    return writeObj(document, name, { libraries: model.libraries ?? [], mark: GENERATOR });
+  const { libraries, carried } = model;
+  if (format === 'obj') return writeObj(document, name, { libraries, carried, mark: GENERATOR });
   const inserted = manner.style === 'files' ? [] : insertLevels(document, levels, manner.style);
   await compressFor(model, document, { stored, manner, replaced });
   const additions = {

@@ -93,7 +93,7 @@ export async function writeGltf(
 /** The files that `writeGltf` writes beside the main one, all known before the work. */
 export function gltfCompanions(document: Document, name: string): Companion[] {
   const stem = name.replace(/\.gltf$/i, '');
-  return [{ name: `${stem}.bin`, image: null }, ...imageFiles(document, stem)];
+  return [{ name: `${stem}.bin`, bytes: null }, ...imageFiles(document, stem)];
 }
 
 const hasAdditions = ({ foreign, isRatified, keepsCorners, levels }: Additions): boolean =>

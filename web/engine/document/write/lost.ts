@@ -2,7 +2,7 @@
 
 import type { Material, Primitive, Root } from '@gltf-transform/core';
 import { KHRTextureTransform } from '@gltf-transform/extensions';
-import { counted } from '../../core/words';
+import { counted, excerpt } from '../../core/words';
 import type { WrittenFormat } from '../../core/output_words';
 import type { OpenModel } from '../model';
 import { INSTANCING } from '../placements';
@@ -11,10 +11,10 @@ import { shownNodes } from './flat_meshes';
 /** glTF's primitive mode. */
 const TRIANGLES = 4;
 
-/** What a file of this format leaves out of a model; empty for GLB and glTF. An OBJ of an OBJ names the same material libraries. */
+/** What a file of this format leaves out of a model; empty for GLB and glTF. An OBJ of an OBJ has the same material libraries. */
 export function lostIn(
   format: WrittenFormat,
-  { document, libraries = [] }: Pick<OpenModel, 'document' | 'libraries'>,
+  { document, libraries = [], outside = [] }: Pick<OpenModel, 'document' | 'libraries' | 'outside'>,
 ): string[] {
   if (format === 'glb' || format === 'gltf') return [];
   const root = document.getRoot();
@@ -37,6 +37,7 @@ export function lostIn(
     ...count(root.listCameras().length, 'camera'),
     ...lostAttributes(format, root),
     ...(format === 'ply' ? count(materials.length, 'material') : [...new Set(materials.flatMap(unsaid))]),
+    ...(keepsMaterials ? outside.map((name) => `${excerpt(name)} (not in the folder of the input)`) : []),
     ...root
       .listExtensionsUsed()
       .filter(({ extensionName }) => !carried.includes(extensionName))

@@ -1,7 +1,7 @@
 /** Writes a document as OBJ with a material library and pictures. Every node with a mesh is an object, in the scene's space. */
 
 import type { Document } from '@gltf-transform/core';
-import type { SourceFile } from '../model';
+import type { OpenModel, SourceFile } from '../model';
 import { flatMeshes } from './flat_meshes';
 import type { FlatMesh, FlatPrimitive } from './flat_meshes';
 import { MaterialLibrary } from './obj_materials';
@@ -12,14 +12,17 @@ import { sameValues, shortest, toSrgb } from './text_values';
 /** Lines are joined in pieces, since one text of a large mesh could be longer than texts may be. */
 const LINES_A_PIECE = 1 << 14;
 
+/** The libraries of an input that say what its materials look like, as the model has them. */
+type InputLibraries = Pick<OpenModel, 'libraries' | 'carried'>;
+
 /**
- * `name`.obj, and `stem`.mtl with pictures where there are materials. `libraries`: names that are written instead of a library, where
- * the input's own say what its materials look like. `mark`: the first line, without its #.
+ * `name`.obj, and `stem`.mtl with pictures where there are materials. Where the input has `libraries`, they are named instead, and
+ * `carried` is what is written of them. `mark`: the first line, without its #.
  */
 export function writeObj(
   document: Document,
   name: string,
-  { libraries, mark }: { libraries: string[]; mark: string },
+  { libraries = [], carried = [], mark }: InputLibraries & { mark: string },
 ): SourceFile[] {
   const stem = name.replace(/\.obj$/i, '');
   const lines = new TextPieces();
@@ -34,16 +37,21 @@ export function writeObj(
   const names = new Set<string>();
   for (const mesh of meshes) writeMesh(lines, mesh, { counts, materials, name: freeName(mesh.name, names) });
   const main = { name, bytes: lines.bytes() };
-  if (!hasOwn) return [main];
+  if (!hasOwn) return [main, ...carried.filter((file) => file.name !== name)];
   const library = { name: `${stem}.mtl`, bytes: new TextEncoder().encode(materials.text(mark)) };
   return [main, library, ...materials.pictures()];
 }
 
 /** The files that `writeObj` may write beside the main one. */
-export function objCompanions(document: Document, name: string, libraries: string[]): Companion[] {
-  if (libraries.length > 0 || document.getRoot().listMaterials().length === 0) return [];
+export function objCompanions(
+  document: Document,
+  name: string,
+  { libraries = [], carried = [] }: InputLibraries,
+): Companion[] {
+  if (libraries.length > 0) return carried;
+  if (document.getRoot().listMaterials().length === 0) return [];
   const stem = name.replace(/\.obj$/i, '');
-  return [{ name: `${stem}.mtl`, image: null }, ...imageFiles(document, stem)];
+  return [{ name: `${stem}.mtl`, bytes: null }, ...imageFiles(document, stem)];
 }
 
 class TextPieces {

@@ -46,6 +46,10 @@ export function outputForm(name: string, choice: FormatChoice, input: Format): O
   return chosen;
 }
 
+/** Whether an OBJ is written as one again, see `outputForm`. */
+export const staysObj = (name: string, choice: FormatChoice): boolean =>
+  formOfName(choice === 'auto' ? name : `.${choice}`, 'obj')?.format === 'obj';
+
 /** The name of the model's file inside an archive, or of the file itself. */
 export const mainName = (name: string, { format, isZipped }: OutputForm): string =>
   isZipped ? `${name.replace(/(\.(glb|gltf|obj|ply))?\.zip$/i, '')}.${format}` : name;

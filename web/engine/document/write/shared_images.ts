@@ -45,15 +45,15 @@ export function imageNames(document: Document, stem: string): Map<Texture, strin
 /** A file beside a written model. */
 export interface Companion {
   name: string;
-  /** the bytes of a picture, which do not change; null: they are made */
-  image: Uint8Array | null;
+  /** of a picture or a library of the input, which do not change; null: they are made */
+  bytes: Uint8Array | null;
 }
 
 /** The pictures under their names, each once. */
 export function imageFiles(document: Document, stem: string): Companion[] {
   const files = new Map<string, Uint8Array>();
   for (const [texture, name] of imageNames(document, stem)) files.set(name, texture.getImage()!);
-  return [...files].map(([name, image]) => ({ name, image }));
+  return [...files].map(([name, bytes]) => ({ name, bytes }));
 }
 
 function freeName(texture: Texture, stem: string, taken: Set<string>): string {

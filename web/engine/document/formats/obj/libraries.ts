@@ -25,13 +25,14 @@ interface Asked {
 
 /**
  * By name; the first library that has a material of this name says what it is. Complete unless a library that
- * is missing could have had a material; what none of those that are there has is said.
+ * is missing could have had a material; what none of those that are there has is said. `unnamed`: the library of the OBJ's own name, where
+ * it has materials and no statement names it.
  */
 export function findMaterials(
   { main, statements, used }: Asked,
   files: NamedFiles,
   leftOut: LeftOut,
-): { found: Map<string, FoundMaterial>; isComplete: boolean } {
+): { found: Map<string, FoundMaterial>; isComplete: boolean; unnamed: string | null } {
   const found = new Map<string, FoundMaterial>();
   const libraries = libraryPaths(main, statements).map((paths) => files.find(paths));
   for (const library of new Set(libraries)) {
@@ -44,7 +45,14 @@ export function findMaterials(
   const isMissing = libraries.slice(0, -1).includes(null);
   if (!isMissing && libraries.some((library) => library !== null))
     for (const name of unknown) leftOut.add('undefined', name);
-  return { found, isComplete: !isMissing || unknown.length === 0 };
+  const last = libraries[libraries.length - 1];
+  const isUnnamed = last !== null && libraries.indexOf(last) === libraries.length - 1;
+  const hasMaterials = [...found.values()].some(({ library }) => library === last?.name);
+  return {
+    found,
+    isComplete: !isMissing || unknown.length === 0,
+    unnamed: isUnnamed && hasMaterials ? last.name.replace(/^.*[/\\]/, '') : null,
+  };
 }
 
 /** Empty where it is too large or not text. */

@@ -5,6 +5,7 @@ import type { OpenModel, SourceFile } from '../../model';
 import { readObj } from '../../obj';
 import { modelOfSurfaces, plainMaterial } from '../../surface';
 import type { MaterialMaker, SurfaceFile } from '../../surface';
+import { carriedFiles } from './carried';
 import { dress, hasMaps } from './gltf_materials';
 import { LeftOut } from './left_out';
 import { findMaterials } from './libraries';
@@ -18,12 +19,21 @@ export function openObj(file: SourceFile, files: SourceFile[]): OpenModel {
   const { libraries: statements = [] } = surfaces;
   const [named, leftOut] = [new NamedFiles(files), new LeftOut()];
   const asked = { main: file.name, statements, used: usedMaterials(surfaces) };
-  const { found, isComplete } = findMaterials(asked, named, leftOut);
+  const { found, isComplete, unnamed } = findMaterials(asked, named, leftOut);
   const model = modelOfSurfaces(file.name, 'obj', surfaces, (document) =>
     dressedMaker(document, found, { pictures: new Pictures(document, file.name, named, leftOut), leftOut }),
   );
   const unread = isComplete ? [] : ['colours and textures of materials'];
-  return { ...model, notes: [...model.notes, ...leftOut.notes()], unread: [...model.unread, ...unread] };
+  const libraries = unnamed !== null && statements.length > 0 ? [...statements, unnamed] : statements;
+  const { files: carried, outside } = carriedFiles(file.name, libraries, named);
+  return {
+    ...model,
+    notes: [...model.notes, ...leftOut.notes()],
+    unread: [...model.unread, ...unread],
+    libraries,
+    carried,
+    outside,
+  };
 }
 
 /** A material with textures is another one where the surface has no UVs. */
