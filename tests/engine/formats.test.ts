@@ -51,14 +51,16 @@ async function richModel(): Promise<OpenModel> {
 }
 
 /** Per triangle the sorted texts of its corners: what two meshes have in common whatever the numbers of their vertices. */
-function trianglesOf({ bodies }: OpenModel, digits: number): string[] {
+function trianglesOf({ bodies }: OpenModel, digits: number, scale = 1): string[] {
   return bodies
     .flatMap(({ positions, indices }) =>
       Array.from({ length: indices.length / 3 }, (_, t) =>
         [0, 1, 2]
           .map((c) =>
             [...positions.slice(3 * indices[3 * t + c], 3 * indices[3 * t + c] + 3)]
-              .map((value) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits))
+              .map((value) =>
+                (Math.round(Math.fround(scale * value) * 10 ** digits) / 10 ** digits + 0).toFixed(digits),
+              )
               .join(' '),
           )
           .sort()
@@ -78,7 +80,8 @@ describe('a written file', () => {
       const model = await richModel();
       const files = await write(model, name);
       const again = await openModel(files.filter((file) => !/\.(mtl)$/.test(file.name)));
-      expect(trianglesOf(again, 6)).toEqual(trianglesOf(model, 6));
+      // The morph target has the positions again, half of which the default weight adds.
+      expect(trianglesOf(again, 6)).toEqual(trianglesOf(model, 6, /obj|ply/.test(name) ? 1.5 : 1));
       expect((await validateFiles(files))?.errors ?? 0).toBe(0);
       expect(name === 'a.glb' || isOwnContent(files[0].bytes)).toBe(true);
       expect(await write(model, name)).toEqual(files);

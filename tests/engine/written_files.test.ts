@@ -93,6 +93,40 @@ describe('a written OBJ', () => {
     expect(written(document)).toMatch(/^v 7 0 0$/m);
   });
 
+  it('has morph targets at the default weights of the node, otherwise of the mesh, and so does a PLY', () => {
+    const document = startDocument();
+    const sheet = primitiveOf(document, grid(1, 1));
+    const everywhere = (values: number[]) =>
+      floats(
+        document,
+        'VEC3',
+        [0, 1, 2, 3].flatMap(() => values),
+      );
+    const [right, up] = [5, 7].map((x) =>
+      document.createPrimitiveTarget().setAttribute('POSITION', everywhere([x, 0, 0])),
+    );
+    up.setAttribute('NORMAL', everywhere([0, 3, -1]));
+    sheet
+      .setAttribute('NORMAL', everywhere([0, 0, 1]))
+      .addTarget(right)
+      .addTarget(up);
+    const mesh = addMesh(document, 'sheet', [sheet]).setWeights([1, 0]);
+    const [node] = document.getRoot().listNodes();
+    node.setScale([2, 1, 1]);
+    const { positions } = grid(1, 1);
+    const x = Array.from({ length: 4 }, (_, v) => positions[3 * v]);
+    const writtenX = () => [...written(document).matchAll(/^v (\S+)/gm)].map(([, word]) => Number(word));
+    expect(writtenX()).toEqual(x.map((own) => 2 * (own + 5)));
+    expect(written(document)).toMatch(/^vn 0 0 1$/m);
+    const ply = new DataView(writePly(document, 'a.ply', 'Limber 1').bytes.buffer);
+    const start = ply.byteLength - 2 * 13 - 4 * 24;
+    expect(x.map((_, v) => ply.getFloat32(start + 24 * v, true))).toEqual(writtenX());
+    node.setWeights([0.5, 1]);
+    expect(writtenX()).toEqual(x.map((own) => 2 * (own + 9.5)));
+    expect(written(document)).toMatch(/^vn 0 1 0$/m);
+    expect(mesh.getWeights()).toEqual([1, 0]);
+  });
+
   it('gives a mesh without material none after one that has one', () => {
     const document = startDocument();
     const red = primitiveOf(document, grid(1, 1)).setMaterial(document.createMaterial('red'));

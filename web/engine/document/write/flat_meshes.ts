@@ -4,6 +4,7 @@ import type { Accessor, Document, Material, Node, Primitive } from '@gltf-transf
 import { length3 } from '../../core/exact_math';
 import { influenceSets } from '../influences';
 import { product, worldMatricesOf } from '../placements';
+import { posed } from './default_pose';
 
 /** The triangles of one primitive at one place. Vertices are numbered as in the primitive. */
 export interface FlatPrimitive {
@@ -46,7 +47,7 @@ const MOST_TRIANGLES = 1e8;
 const TOO_MANY = 'The scene repeats its meshes too often for OBJ and PLY: write .glb or .gltf.';
 
 /**
- * What the shown nodes and their instances have of triangles; skins in their pose at rest. Throws an Error with one sentence where
+ * What the shown nodes and their instances have of triangles; skins in their pose at rest, morph targets at their default weights. Throws an Error with one sentence where
  * these are too many to be written one by one.
  */
 export function flatMeshes(document: Document): FlatMesh[] {
@@ -70,10 +71,10 @@ const hasTriangles = (primitive: Primitive): boolean =>
 
 /** `world`: of the node, or of one of its instances. */
 function flatten(primitive: Primitive, node: Node, world: Matrix): FlatPrimitive {
-  const position = primitive.getAttribute('POSITION')!;
+  const own = posed(primitive, node, 'POSITION')!;
   const matrixAt = matricesOf(primitive, node, world);
-  const positions = transformed(position, (v) => matrixAt(v), 1);
-  const normal = primitive.getAttribute('NORMAL');
+  const positions = transformed(own, matrixAt, 1);
+  const normal = posed(primitive, node, 'NORMAL');
   const normals = normal && transformed(normal, (v) => cofactors(matrixAt(v)), 0);
   if (normals) makeUnit(normals);
   const uvs = primitive.getAttribute('TEXCOORD_0');
@@ -84,7 +85,7 @@ function flatten(primitive: Primitive, node: Node, world: Matrix): FlatPrimitive
     normals,
     uvs: uvs && valuesOf(uvs, 2),
     colours: colours && valuesOf(colours, 3),
-    triangles: trianglesOf(primitive, position.getCount(), isMirrored),
+    triangles: trianglesOf(primitive, own.length / 3, isMirrored),
     material: primitive.getMaterial(),
   };
 }
@@ -117,10 +118,10 @@ function matricesOf(primitive: Primitive, node: Node, world: Matrix): (v: number
 }
 
 /** `w`: 1 for points, 0 for directions. */
-function transformed(accessor: Accessor, matrixAt: (v: number) => Matrix, w: number): Float32Array {
-  const [result, element] = [new Float32Array(3 * accessor.getCount()), [] as number[]];
-  for (let v = 0; v < accessor.getCount(); ++v) {
-    const [x, y, z] = accessor.getElement(v, element);
+function transformed(values: Float32Array, matrixAt: (v: number) => Matrix, w: number): Float32Array {
+  const result = new Float32Array(values.length);
+  for (let v = 0; v < values.length / 3; ++v) {
+    const [x, y, z] = [values[3 * v], values[3 * v + 1], values[3 * v + 2]];
     const m = matrixAt(v);
     for (let c = 0; c < 3; ++c) result[3 * v + c] = m[c] * x + m[4 + c] * y + m[8 + c] * z + w * m[12 + c];
   }
