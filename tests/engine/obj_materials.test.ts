@@ -353,10 +353,14 @@ describe('a library', () => {
     ]);
   });
 
-  it('that is missing is said as what an export loses, unless others have all materials', async () => {
+  it('that is missing is named with the cure and no fault of the format written, unless others have all materials', async () => {
     const alone = await openModel([square()]);
-    expect(alone.unread).toEqual(['colours and textures of materials']);
-    expect(alone.notes).toEqual([]);
+    const cure = 'beside the OBJ for colours and textures of its materials';
+    expect([alone.unread, alone.notes]).toEqual([[], [`a.mtl is not there: put it ${cure}`]]);
+    const two = await openModel([square('m', 'mtllib a.mtl mats/b.mtl\n')]);
+    expect(two.notes).toEqual([`a.mtl, mats/b.mtl are not there: put them ${cure}`]);
+    const far = await openModel([square('m', 'mtllib ../a.mtl\n')]);
+    expect(far.notes).toEqual([`../a.mtl is not there or outside of its folder: put it ${cure}`]);
     const other = await openModel([square('m', 'mtllib a.mtl b.mtl\n'), library('b.mtl', '1 0 0')]);
     expect([other.unread, other.notes]).toEqual([[], []]);
     const unknown = await openModel([square(), library('a.mtl', '1 0 0', 'other')]);

@@ -6,6 +6,9 @@ import { excerpt } from '../../text_scanner';
 /** At most so many names stand in a note. */
 const NAMES_SHOWN = 5;
 
+/** A path that can lead out of a folder. */
+const ELSEWHERE = /^([a-z]:|[/\\])|\.\./i;
+
 interface Kind {
   one: string;
   several: string;
@@ -55,19 +58,36 @@ export type LeftOutKind = keyof typeof KINDS;
 
 export class LeftOut {
   private readonly names = new Map<LeftOutKind, Set<string>>();
+  private missingLibraries: string[] = [];
 
   add(kind: LeftOutKind, name: string): void {
     if (!this.names.has(kind)) this.names.set(kind, new Set());
     this.names.get(kind)!.add(name);
   }
 
+  /** Libraries that could have materials which no other has; none are no news. */
+  addMissingLibraries(names: string[]): void {
+    this.missingLibraries = names;
+  }
+
   notes(): string[] {
-    return [...this.names].map(([kind, names]) => describe(KINDS[kind], [...names]));
+    const others = [...this.names].map(([kind, names]) => describe(KINDS[kind], [...names]));
+    return this.missingLibraries.length > 0 ? [describeMissing(this.missingLibraries), ...others] : others;
   }
 }
 
-function describe({ one, several, fate }: Kind, names: string[]): string {
+const describe = ({ one, several, fate }: Kind, names: string[]): string =>
+  `${counted(names.length, one, several)} (${listed(names)}) ${fate}`;
+
+function describeMissing(names: string[]): string {
+  const [are, them] = names.length === 1 ? ['is', 'it'] : ['are', 'them'];
+  const where = names.some((name) => ELSEWHERE.test(name))
+    ? 'not there or outside of its folder'
+    : 'not there';
+  return `${listed(names)} ${are} ${where}: put ${them} beside the OBJ for colours and textures of its materials`;
+}
+
+function listed(names: string[]): string {
   const more = names.length > NAMES_SHOWN ? ` and ${names.length - NAMES_SHOWN} more` : '';
-  const shown = names.slice(0, NAMES_SHOWN).map(excerpt).join(', ');
-  return `${counted(names.length, one, several)} (${shown}${more}) ${fate}`;
+  return names.slice(0, NAMES_SHOWN).map(excerpt).join(', ') + more;
 }

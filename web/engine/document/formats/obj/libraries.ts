@@ -2,7 +2,7 @@
 
 import { isSentence } from '../../checks/reading_failure';
 import type { SourceFile } from '../../model';
-import { libraryPaths, MOST_LIBRARY_BYTES } from './companion_paths';
+import { libraryPaths, MOST_LIBRARY_BYTES, namedLibraries } from './companion_paths';
 import type { LeftOut } from './left_out';
 import { readMtl } from './mtl';
 import type { MtlMaterial } from './mtl';
@@ -24,15 +24,15 @@ interface Asked {
 }
 
 /**
- * By name; the first library that has a material of this name says what it is. Complete unless a library that
- * is missing could have had a material; what none of those that are there has is said. `unnamed`: the library of the OBJ's own name, where
+ * By name; the first library that has a material of this name says what it is. Where none has a material, it is said which libraries are
+ * missing, or that none of those that are there has it. `unnamed`: the library of the OBJ's own name, where
  * it has materials and no statement names it.
  */
 export function findMaterials(
   { main, statements, used }: Asked,
   files: NamedFiles,
   leftOut: LeftOut,
-): { found: Map<string, FoundMaterial>; isComplete: boolean; unnamed: string | null } {
+): { found: Map<string, FoundMaterial>; unnamed: string | null } {
   const found = new Map<string, FoundMaterial>();
   const libraries = libraryPaths(main, statements).map((paths) => files.find(paths));
   for (const library of new Set(libraries)) {
@@ -42,15 +42,15 @@ export function findMaterials(
   }
   const unknown = [...used].filter((name) => !found.has(name));
   // The last one need not be there, as nothing names it.
-  const isMissing = libraries.slice(0, -1).includes(null);
-  if (!isMissing && libraries.some((library) => library !== null))
+  const missing = namedLibraries(statements).filter((_, i) => libraries[i] === null);
+  if (unknown.length > 0) leftOut.addMissingLibraries(missing);
+  if (missing.length === 0 && libraries.some((library) => library !== null))
     for (const name of unknown) leftOut.add('undefined', name);
   const last = libraries[libraries.length - 1];
   const isUnnamed = last !== null && libraries.indexOf(last) === libraries.length - 1;
   const hasMaterials = [...found.values()].some(({ library }) => library === last?.name);
   return {
     found,
-    isComplete: !isMissing || unknown.length === 0,
     unnamed: isUnnamed && hasMaterials ? last.name.replace(/^.*[/\\]/, '') : null,
   };
 }

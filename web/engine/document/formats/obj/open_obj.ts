@@ -19,17 +19,15 @@ export function openObj(file: SourceFile, files: SourceFile[]): OpenModel {
   const { libraries: statements = [] } = surfaces;
   const [named, leftOut] = [new NamedFiles(files), new LeftOut()];
   const asked = { main: file.name, statements, used: usedMaterials(surfaces) };
-  const { found, isComplete, unnamed } = findMaterials(asked, named, leftOut);
+  const { found, unnamed } = findMaterials(asked, named, leftOut);
   const model = modelOfSurfaces(file.name, 'obj', surfaces, (document) =>
     dressedMaker(document, found, { pictures: new Pictures(document, file.name, named, leftOut), leftOut }),
   );
-  const unread = isComplete ? [] : ['colours and textures of materials'];
   const libraries = unnamed !== null && statements.length > 0 ? [...statements, unnamed] : statements;
   const { files: carried, outside } = carriedFiles(file.name, libraries, named);
   return {
     ...model,
     notes: [...model.notes, ...leftOut.notes()],
-    unread: [...model.unread, ...unread],
     libraries,
     carried,
     outside,
