@@ -1,6 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { openModel } from '../../web/engine/document/open';
+import { lostIn } from '../../web/engine/document/write/lost';
+import { writePly } from '../../web/engine/document/write/ply_file';
 import { failureOf, textFile } from './support/files';
 
 const header = (format: string, vertices = 5, faces = 2) => `ply
@@ -77,14 +79,14 @@ describe('PLY', () => {
     expect(unread).toEqual([]);
   });
 
-  it('reads normals, UVs and colours', async () => {
+  it('reads normals, UVs, colours and opacities', async () => {
     const triangle = `ply\nformat ascii 1.0\nelement vertex 3\n${['x', 'y', 'z', 'nx', 'ny', 'nz', 's', 't']
       .map((name) => `property float ${name}\n`)
       .join(
         '',
       )}${['red', 'green', 'blue', 'alpha'].map((name) => `property uchar ${name}\n`).join('')}element face 1
 property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header
-0 0 0 0 0 2 0 0.25 255 0 55 255\n1 0 0 0 3 4 1 0 0 0 0 255\n0 1 0 0 0 1 nan 1 10 20 30 255\n3 0 1 2 2 0.5 0.5\n`;
+0 0 0 0 0 2 0 0.25 255 0 55 255\n1 0 0 0 3 4 1 0 0 0 0 128\n0 1 0 0 0 1 nan 1 10 20 30 255\n3 0 1 2 2 0.5 0.5\n`;
     const { document, unread } = await openModel([textFile('a.ply', triangle)]);
     const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
     const values = (name: string) => [...primitive.getAttribute(name)!.getArray()!];
@@ -92,8 +94,33 @@ property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_
     // The origin of UVs is the lower left corner in PLY and the upper left corner in glTF.
     expect(values('TEXCOORD_0')).toEqual([0, 0.75, 1, 1, 0, 0]);
     // sRGB 55 is 0.0382 in linear light, 10 is 0.0030.
-    expect(values('COLOR_0').slice(0, 7)).toEqual([65535, 0, 2504, 0, 0, 0, 199]);
+    expect(values('COLOR_0').slice(0, 9)).toEqual([65535, 0, 2504, 65535, 0, 0, 0, 32896, 199]);
+    expect(primitive.getAttribute('COLOR_0')!.getType()).toBe('VEC4');
     expect(unread).toEqual(['UV coordinates of faces']);
+  });
+
+  it.each(['', '128', '-1', '300'])('comes back with the opacity of its colours: "%s"', async (alpha) => {
+    const colours = ['red', 'green', 'blue', ...(alpha === '' ? [] : ['alpha'])];
+    const properties = colours.map((name) => `property uchar ${name}\n`).join('');
+    const model = await openModel([
+      textFile(
+        'a.ply',
+        `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n${properties}element face 1
+property list uchar int vertex_indices\nend_header\n0 0 0 255 0 55 ${alpha}\n1 0 0 255 0 55 ${alpha}\n0 1 0 255 0 55 ${alpha}\n3 0 1 2\n`,
+      ),
+    ]);
+    expect(lostIn('ply', model)).toEqual([]);
+    expect(lostIn('obj', model)).toEqual(
+      alpha === '128' || alpha === '-1' ? ['opacity of vertex colours'] : [],
+    );
+    const { bytes } = writePly(model.document, 'b.ply', 'Limber 1');
+    expect(new TextDecoder('latin1').decode(bytes).includes('property uchar alpha')).toBe(alpha !== '');
+    const opacities = { '': [], '128': [128], '-1': [0], '300': [255] }[alpha]!;
+    // Positions and face follow the colours of the last vertex.
+    expect([...bytes.subarray(bytes.length - 13 - 3 - opacities.length, bytes.length - 13)]).toEqual([
+      ...[255, 0, 55],
+      ...opacities,
+    ]);
   });
 
   it('unrolls triangle strips', async () => {

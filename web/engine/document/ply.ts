@@ -1,5 +1,5 @@
 /**
- * Reads PLY, as text or binary in either byte order, as one body: vertices with normals, UVs and colours, faces with any
+ * Reads PLY, as text or binary in either byte order, as one body: vertices with normals, UVs, colours and opacities, faces with any
  * number of corners, and triangle strips.
  */
 
@@ -24,9 +24,10 @@ const COLUMNS: { key: 'positions' | keyof RawAttributes; names: RegExp[] }[] = [
   { key: 'normals', names: [/^nx$/, /^ny$/, /^nz$/] },
   { key: 'uvs', names: [/^(s|u|texture_u)$/, /^(t|v|texture_v)$/] },
   { key: 'colours', names: [/^(diffuse_)?red$/, /^(diffuse_)?green$/, /^(diffuse_)?blue$/] },
+  { key: 'opacities', names: [/^(diffuse_)?alpha$/] },
 ];
 
-/** The integer that stands for a full colour in each type. */
+/** The integer that stands for a full colour or opacity in each type. */
 const FULL: Partial<Record<PlyType, number>> = { uint8: 255, int8: 127, uint16: 65535, int16: 32767 };
 
 /** The destination of a property: vertex `row` is written to values[size * row + component], times `scale`. */
@@ -127,7 +128,7 @@ function columnOf(
     const component = names.findIndex((pattern) => pattern.test(name));
     const values = key === 'positions' ? positions : attributes[key];
     if (component < 0 || !values) continue;
-    const scale = key === 'colours' ? 1 / (FULL[type] ?? 1) : 1;
+    const scale = key === 'colours' || key === 'opacities' ? 1 / (FULL[type] ?? 1) : 1;
     return { values, size: names.length, component, scale, isPosition: key === 'positions' };
   }
   return null;

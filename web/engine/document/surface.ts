@@ -20,7 +20,7 @@ export interface Surface {
 export interface SurfaceAttributes {
   NORMAL?: Float32Array;
   TEXCOORD_0?: Float32Array;
-  /** linear light; 65,535 stands for 1 */
+  /** linear light, three numbers for each vertex or four with its opacity; 65,535 stands for 1 */
   COLOR_0?: Uint16Array;
 }
 
@@ -71,7 +71,8 @@ function primitivesOf(
 ): Primitive[] {
   const [buffer] = document.getRoot().listBuffers();
   const shared = Object.entries({ POSITION: positions, ...attributes }).map(
-    ([semantic, array]) => [semantic, accessorOf(document, buffer, semantic, array)] as const,
+    ([semantic, array]) =>
+      [semantic, accessorOf(document, buffer, array, (3 * array.length) / positions.length)] as const,
   );
   return parts.map(({ material, first }, i) => {
     const corners = indices.subarray(3 * first, i + 1 < parts.length ? 3 * parts[i + 1].first : undefined);
@@ -89,12 +90,12 @@ function primitivesOf(
 function accessorOf(
   document: Document,
   buffer: Buffer,
-  semantic: string,
   array: Float32Array | Uint16Array,
+  size: number,
 ): Accessor {
   return document
     .createAccessor()
-    .setType(semantic === 'TEXCOORD_0' ? 'VEC2' : 'VEC3')
+    .setType(size === 2 ? 'VEC2' : size === 3 ? 'VEC3' : 'VEC4')
     .setNormalized(array instanceof Uint16Array)
     .setBuffer(buffer)
     .setArray(array as Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer>);

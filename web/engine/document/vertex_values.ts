@@ -11,18 +11,20 @@ export interface RawAttributes {
   uvs?: Float32Array;
   /** colours[3 * v + c] */
   colours?: Float32Array;
+  /** opacities[v] in [0, 1], of vertices that have colours */
+  opacities?: Float32Array;
 }
 
-/** Drops the normals if one that `indices` uses has no direction; UVs and colours that are not finite become 0. */
+/** Drops the normals if one that `indices` uses has no direction; UVs and colours that are not finite become 0, opacities 1. */
 export function attributesOfRaw(
-  { normals, uvs, colours }: RawAttributes,
+  { normals, uvs, colours, opacities }: RawAttributes,
   indices: Uint32Array,
 ): SurfaceAttributes {
   const unit = normals ? unitNormals(normals, indices) : null;
   return {
     ...(unit ? { NORMAL: unit } : {}),
     ...(uvs ? { TEXCOORD_0: uvs.map((value, i) => (i % 2 === 0 ? finite(value) : 1 - finite(value))) } : {}),
-    ...(colours ? { COLOR_0: Uint16Array.from(colours, linearOf) } : {}),
+    ...(colours ? { COLOR_0: coloursOf(colours, opacities) } : {}),
   };
 }
 
@@ -40,6 +42,18 @@ function unitNormals(normals: Float32Array, indices: Uint32Array): Float32Array 
     else unit[3 * v + 2] = 1;
   }
   return unit;
+}
+
+/** Three numbers for each vertex, or four where it has an opacity. */
+function coloursOf(colours: Float32Array, opacities: Float32Array | undefined): Uint16Array {
+  const linear = Uint16Array.from(colours, linearOf);
+  if (!opacities) return linear;
+  const all = new Uint16Array(4 * opacities.length);
+  opacities.forEach((opacity, v) => {
+    all.set(linear.subarray(3 * v, 3 * v + 3), 4 * v);
+    all[4 * v + 3] = Math.round(65535 * Math.min(1, Math.max(0, Number.isFinite(opacity) ? opacity : 1)));
+  });
+  return all;
 }
 
 /** sRGB to linear light (IEC 61966-2-1). Rounding to 16 bits hides differences in `**` between JavaScript engines. */

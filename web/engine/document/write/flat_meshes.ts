@@ -16,6 +16,8 @@ export interface FlatPrimitive {
   uvs: Float32Array | null;
   /** colours[3 * v + c], linear in [0, 1]; null: it has none */
   colours: Float32Array | null;
+  /** opacities[v] of the colours; null: they have none */
+  opacities: Float32Array | null;
   /** triangles[3 * t + corner], wound so that fronts stay fronts */
   triangles: Uint32Array;
   material: Material | null;
@@ -85,6 +87,7 @@ function flatten(primitive: Primitive, node: Node, world: Matrix): FlatPrimitive
     normals,
     uvs: uvs && valuesOf(uvs, 2),
     colours: colours && valuesOf(colours, 3),
+    opacities: colours && colours.getElementSize() > 3 ? valuesOf(colours, 1, 3) : null,
     triangles: trianglesOf(primitive, own.length / 3, isMirrored),
     material: primitive.getMaterial(),
   };
@@ -153,11 +156,12 @@ function makeUnit(vectors: Float32Array): void {
   }
 }
 
-function valuesOf(accessor: Accessor, size: number): Float32Array {
+/** `size` numbers of each element, from number `first` on. */
+function valuesOf(accessor: Accessor, size: number, first = 0): Float32Array {
   const [values, element] = [new Float32Array(size * accessor.getCount()), [] as number[]];
   for (let v = 0; v < accessor.getCount(); ++v) {
     accessor.getElement(v, element);
-    for (let c = 0; c < size; ++c) values[size * v + c] = element[c];
+    for (let c = 0; c < size; ++c) values[size * v + c] = element[first + c];
   }
   return values;
 }

@@ -61,7 +61,7 @@ function lostAttributes(format: WrittenFormat, root: Root): string[] {
       isPartial('COLOR_0'),
       `vertex colours, which not all ${format === 'ply' ? 'of its meshes' : 'parts of a mesh'} have`,
     ),
-    ...one(primitives.some(hasOpacity), 'opacity of vertex colours'),
+    ...one(format === 'obj' && primitives.some(hasOpacity), 'opacity of vertex colours'),
     ...one(names.has('TANGENT'), 'tangents'),
     ...one(further('TEXCOORD_'), 'further sets of UVs'),
     ...one(further('COLOR_'), 'further sets of vertex colours'),

@@ -8,18 +8,29 @@ import { toSrgb } from './text_values';
 
 const FACE_BYTES = 13;
 
-/** `mark`: a comment. Normals, UVs and colours are written where every primitive has them. */
+/** What vertices have besides positions. */
+interface Written {
+  normals: boolean;
+  uvs: boolean;
+  colours: boolean;
+  opacities: boolean;
+}
+
+/** `mark`: a comment. Normals, UVs and colours are written where every primitive has them, opacities where a colour has one. */
 export function writePly(document: Document, name: string, mark: string): SourceFile {
   const primitives = flatMeshes(document).flatMap((mesh) => mesh.primitives);
   const sum = (count: (primitive: FlatPrimitive) => number) =>
     primitives.reduce((all, primitive) => all + count(primitive), 0);
   const vertices = sum(({ positions }) => positions.length / 3);
   const faces = sum(({ triangles }) => triangles.length / 3);
-  const has = {
+  const hasColours = primitives.every(({ colours }) => colours !== null);
+  const has: Written = {
     normals: primitives.every(({ normals }) => normals !== null),
     uvs: primitives.every(({ uvs }) => uvs !== null),
-    colours: primitives.every(({ colours }) => colours !== null),
+    colours: hasColours,
+    opacities: hasColours && primitives.some(({ opacities }) => opacities !== null),
   };
+  const channels = [...(has.colours ? ['red', 'green', 'blue'] : []), ...(has.opacities ? ['alpha'] : [])];
   const floats = ['x', 'y', 'z', ...(has.normals ? ['nx', 'ny', 'nz'] : []), ...(has.uvs ? ['s', 't'] : [])];
   const header = [
     'ply',
@@ -27,12 +38,12 @@ export function writePly(document: Document, name: string, mark: string): Source
     `comment ${mark}`,
     `element vertex ${vertices}`,
     ...floats.map((property) => `property float ${property}`),
-    ...(has.colours ? ['red', 'green', 'blue'].map((property) => `property uchar ${property}`) : []),
+    ...channels.map((property) => `property uchar ${property}`),
     `element face ${faces}`,
     'property list uchar int vertex_indices',
     'end_header\n',
   ].join('\n');
-  const stride = 4 * floats.length + (has.colours ? 3 : 0);
+  const stride = 4 * floats.length + channels.length;
   const start = new TextEncoder().encode(header);
   const bytes = new Uint8Array(start.length + stride * vertices + FACE_BYTES * faces);
   bytes.set(start);
@@ -46,8 +57,8 @@ export function writePly(document: Document, name: string, mark: string): Source
 function writeVertices(
   view: DataView,
   start: number,
-  { positions, normals, uvs, colours }: FlatPrimitive,
-  has: { normals: boolean; uvs: boolean; colours: boolean },
+  { positions, normals, uvs, colours, opacities }: FlatPrimitive,
+  has: Written,
 ): number {
   let at = start;
   const float = (value: number) => {
@@ -63,6 +74,7 @@ function writeVertices(
     }
     if (has.colours)
       for (let c = 0; c < 3; ++c) view.setUint8(at++, Math.round(255 * toSrgb(colours![3 * v + c])));
+    if (has.opacities) view.setUint8(at++, Math.round(255 * Math.min(1, Math.max(0, opacities?.[v] ?? 1))));
   }
   return at;
 }
