@@ -185,7 +185,20 @@ describe('what a format leaves out', () => {
     const [, second, third] = scene.listChildren();
     document.createScene('other').addChild(second);
     scene.removeChild(second).removeChild(third);
-    expect(lostIn('obj', { document })).toEqual(['2 meshes outside of the scene']);
+    expect(lostIn('obj', { document })).toEqual(['1 further scene', '2 meshes outside of the scene']);
+    expect(lostIn('glb', { document })).toEqual([]);
+  });
+
+  it('names further scenes that show a mesh of the first at another place', () => {
+    const document = startDocument();
+    const mesh = addMesh(document, 'ball', [primitiveOf(document, grid(1, 1))]);
+    const [scene] = document.getRoot().listScenes();
+    const again = document.createScene('the same').addChild(scene.listChildren()[0]);
+    expect(lostIn('ply', { document })).toEqual([]);
+    again.addChild(document.createNode('more').setMesh(mesh));
+    document.createScene('another').addChild(document.createNode('more').setMesh(mesh));
+    expect(lostIn('ply', { document })).toEqual(['2 further scenes']);
+    expect(lostIn('obj', { document })).toEqual(['2 further scenes']);
     expect(lostIn('glb', { document })).toEqual([]);
   });
 });

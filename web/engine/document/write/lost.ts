@@ -1,6 +1,6 @@
 /** What formats without a scene cannot hold of a document, in plain words. */
 
-import type { Material, Primitive, Root } from '@gltf-transform/core';
+import type { Material, Node, Primitive, Root, Scene } from '@gltf-transform/core';
 import { KHRTextureTransform } from '@gltf-transform/extensions';
 import { counted, excerpt } from '../../core/words';
 import type { WrittenFormat } from '../../core/output_words';
@@ -26,9 +26,12 @@ export function lostIn(
   const carried = [INSTANCING, ...(keepsMaterials ? [KHRTextureTransform.EXTENSION_NAME] : [])];
   const count = (length: number, one: string, many?: string) =>
     length > 0 ? [counted(length, one, many)] : [];
-  const shown = new Set(shownNodes(document).map((node) => node.getMesh()));
+  const nodes = new Set(shownNodes(document));
+  const shown = new Set([...nodes].map((node) => node.getMesh()));
+  const furtherScenes = root.listScenes().filter((scene) => showsOthers(scene, nodes)).length;
   const hidden = root.listMeshes().filter((mesh) => !shown.has(mesh)).length;
   return [
+    ...count(furtherScenes, 'further scene'),
     ...count(hidden, 'mesh outside of the scene', 'meshes outside of the scene'),
     ...count(all.length - primitives.length, 'primitive of points or lines', 'primitives of points or lines'),
     ...count(root.listSkins().length, 'skin'),
@@ -43,6 +46,13 @@ export function lostIn(
       .filter(({ extensionName }) => !carried.includes(extensionName))
       .map(({ extensionName }) => `extension ${extensionName}`),
   ];
+}
+
+/** Whether it has a mesh at a node that is not among these. */
+function showsOthers(scene: Scene, nodes: ReadonlySet<Node>): boolean {
+  let shows = false;
+  scene.traverse((node) => (shows ||= node.getMesh() !== null && !nodes.has(node)));
+  return shows;
 }
 
 /** OBJ and PLY have one set of UVs and of colours, and what a list of vertices has, all of its primitives have. */
