@@ -180,13 +180,29 @@ describe('exit codes', () => {
   });
 });
 
+describe('faces that lie on others', () => {
+  it('count alike in all lines, which say that they are in the result', () => {
+    const faces = toObj(torus()).match(/^f .*$/gm)!;
+    writeFileSync(path('double.obj'), `${toObj(torus())}\n${faces.join('\n')}\n`);
+    const locked = limber('optimize double.obj a.glb --method qem --lock low:100');
+    expect(locked.stdout).toContain('double.obj: 1,152 -> 1,152 faces');
+    expect(locked.stderr).toContain('576 duplicate faces set aside and put back on each face that is left.');
+    expect(locked.stderr).toContain('Stopped at 1,152 faces (576 without duplicates), not ');
+    expect(limber('inspect double.obj').stdout).toContain('- 576 duplicate faces set aside\n');
+    const guarded = limber('optimize double.obj a.glb --method qem --ratio 0.05');
+    const [, after] = /-> (\d+) faces/.exec(guarded.stdout)!;
+    expect(guarded.stderr).toContain(`stopped at ${after} faces (${Number(after) / 2} without duplicates)`);
+  });
+});
+
 describe('many bodies', () => {
   it('with the same warning are one line, and a line each with --verbose', () => {
     const words = 'optimize many.glb a.glb --method qem';
-    expect(limber(words).stderr).toBe('limber: 30 bodies: 2 duplicate faces set aside.\n');
+    const put = 'and put back on each face that is left';
+    expect(limber(words).stderr).toBe(`limber: each of 30 bodies: 2 duplicate faces set aside ${put}.\n`);
     const lines = limber(`${words} --verbose`).stderr.trim().split('\n');
     expect(lines).toHaveLength(30);
-    expect(lines[7]).toBe('limber: part 7: 2 duplicate faces set aside.');
+    expect(lines[7]).toBe(`limber: part 7: 2 duplicate faces set aside ${put}.`);
     expect(limber(`${words} --quiet`).stderr).toBe('');
   });
 

@@ -17,13 +17,13 @@ describe('warnings', () => {
         many(100, () => '2 edges shared by more than two faces, locked'),
         false,
       ),
-    ).toEqual(['100 bodies: 2 edges shared by more than two faces, locked']);
+    ).toEqual(['each of 100 bodies: 2 edges shared by more than two faces, locked']);
   });
 
   it('that differ in numbers are one line with their spans', () => {
     const warnings = many(3, (i) => `${1000 + 500 * i} seam vertices welded at 2 places, off ${i + 0.5} %`);
     expect(warningLines(warnings, false)).toEqual([
-      '3 bodies: 1,000 to 2,000 seam vertices welded at 2 places, off 0.5 to 2.5 %',
+      'each of 3 bodies: 1,000 to 2,000 seam vertices welded at 2 places, off 0.5 to 2.5 %',
     ]);
   });
 
@@ -50,7 +50,7 @@ describe('warnings', () => {
       `Body "${name}" has no usable face, ${faces} with a repeated vertex: repair it; it stays as it is`;
     expect(warningLines([ofSentence(sentence('a "b"', 1))], false)).toEqual([sentence('a "b"', 1)]);
     expect(warningLines([ofSentence(sentence('a', 1)), ofSentence(sentence('b', 7))], false)).toEqual([
-      '2 bodies: no usable face, 1 to 7 with a repeated vertex: repair it; it stays as it is',
+      'each of 2 bodies: no usable face, 1 to 7 with a repeated vertex: repair it; it stays as it is',
     ]);
   });
 });

@@ -25,7 +25,10 @@ function lineOf(group: Warning[]): string {
   const bodies = group.filter((warning) => typeof warning !== 'string');
   if (bodies.length === 0) return group[0] as string;
   if (bodies.length === 1) return bodies[0].alone;
-  return `${grouped(bodies.length)} bodies: ${spanOf(bodies.map(({ text }) => text))}`;
+  const text = spanOf(bodies.map((one) => one.text));
+  const which = `${grouped(bodies.length)} bodies`;
+  // A number is that of one body, and not of all together.
+  return text.search(NUMBER) < 0 ? `${which}: ${text}` : `each of ${which}: ${text}`;
 }
 
 /** The text with the smallest and largest number at each place where the texts differ. */

@@ -9,19 +9,24 @@ export interface HealthNote {
   /** `fact`: good to know; `repaired`: something was corrected or set aside; `limit`: something cannot work fully */
   kind: 'fact' | 'repaired' | 'limit';
   text: string;
+  /** what becomes of it in a result, in words that follow `text`; absent where there is nothing to say */
+  fate?: string;
 }
+
+/** See `withLayers`. */
+const DUPLICATES_FATE = 'and put back on each face that is left';
 
 /** `inspection`: of the usable part, so that an edge which only duplicate faces share is no limit. */
 export function describeHealth(body: Body, weld: WeldResult, inspection: Inspection): HealthNote[] {
   const { weldedVertices, degenerateFaces, duplicateFaces, flippedFaces } = weld;
   const notes: HealthNote[] = body.notes.map((text) => ({ kind: 'repaired', text }));
-  const add = (kind: HealthNote['kind'], count: number, text: string) => {
-    if (count > 0) notes.push({ kind, text });
+  const add = (kind: HealthNote['kind'], count: number, text: string, fate?: string) => {
+    if (count > 0) notes.push({ kind, text, ...(fate === undefined ? {} : { fate }) });
   };
   const seams = counted(weldedVertices, 'seam vertex', 'seam vertices');
   add('repaired', weldedVertices, `${seams} welded`);
   add('repaired', degenerateFaces, `${counted(degenerateFaces, 'face')} with a repeated vertex set aside`);
-  add('repaired', duplicateFaces, `${counted(duplicateFaces, 'duplicate face')} set aside`);
+  add('repaired', duplicateFaces, `${counted(duplicateFaces, 'duplicate face')} set aside`, DUPLICATES_FATE);
   const neighbours = flippedFaces === 1 ? 'its neighbours' : 'their neighbours';
   add('repaired', flippedFaces, `${counted(flippedFaces, 'face')} turned to agree with ${neighbours}`);
   const { nonManifoldEdges, nonManifoldVertices, components, boundaryLoops, orientationClashes } = inspection;

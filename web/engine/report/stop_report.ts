@@ -37,7 +37,10 @@ export interface FrequencyReport {
 
 /** What stopReport needs to know of a body. */
 export interface StoppedBody {
+  /** without duplicate faces */
   faces: number;
+  /** faces that lie on these and are written beside them; absent: none */
+  duplicates?: number;
   targetFaces: number;
   history: Pick<History, 'refused' | 'stop'>;
   frequency?: FrequencyFinding | null;

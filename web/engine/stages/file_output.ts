@@ -110,7 +110,7 @@ export class FileOutput {
     const bodies = levels.map(({ result, targetFaces, guard }, i): StoppedBody => ({
       name: usable[i].run.context.body.name,
       guard,
-      faces: faceCount(result.mesh),
+      ...this.facesOf(result, i),
       targetFaces,
       history: histories[i],
     }));
@@ -184,12 +184,18 @@ export class FileOutput {
     const { usable } = this.file;
     return this.values(STAGES.fitted).map(({ result, frequency, guard }, i) => ({
       name: usable[i].run.context.body.name,
-      faces: faceCount(result.mesh),
+      ...this.facesOf(result, i),
       targetFaces: this.request.targets[usable[i].i],
       history: histories[i],
       frequency,
       guard,
     }));
+  }
+
+  /** `i`: the number of the body among those that take part. */
+  private facesOf({ mesh, inputOfTriangle }: MeshAt, i: number): Pick<StoppedBody, 'faces' | 'duplicates'> {
+    const faces = faceCount(mesh);
+    return { faces, duplicates: layeredFaces(this.prepared()[i].layers, inputOfTriangle) - faces };
   }
 
   /** `options`: as used. `levels`: the further levels, with the names of their files. */

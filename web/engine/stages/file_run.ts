@@ -37,7 +37,7 @@ export interface FileRunOptions {
 export class FileRun {
   private readonly all: (BodyRun | null)[];
   readonly progress: FileProgress;
-  private readonly guides: boolean;
+  readonly guides: boolean;
 
   constructor(
     readonly core: Core,

@@ -23,7 +23,9 @@ export function preparedWarnings(file: FileRun, settings: Settings): Warning[] {
   const health = file.prepared(settings).flatMap(({ body, weld, inspection }) =>
     describeHealth(body, weld, inspection)
       .filter(({ kind }) => kind !== 'fact')
-      .map(({ text }) => ofBody(body.name, text, isOneOfMany)),
+      .map(({ text, fate }) =>
+        ofBody(body.name, fate && file.guides ? `${text} ${fate}` : text, isOneOfMany),
+      ),
   );
   return [...unusable, ...health];
 }

@@ -89,12 +89,21 @@ export function missedTargets(
 
 /** Why bodies have more faces than was asked for, because the surface would go too far; '' where none has. */
 function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], where: string): string {
-  const { guarded = [] } = stopReport(bodies);
+  const guarded = bodies.flatMap((stopped) => (stopped.guard ? [{ stopped, ...stopped.guard }] : []));
   if (guarded.length === 0) return '';
-  const [{ body, faces, deviation, limit }] = [...guarded].sort((a, b) => b.deviation - a.deviation);
+  const [{ stopped, deviation, limit }] = [...guarded].sort((a, b) => b.deviation - a.deviation);
+  const { name = '' } = stopped;
   const others =
     guarded.length > 1 ? ` and ${counted(guarded.length - 1, 'other body', 'other bodies')}` : '';
-  return `${where}${body}${others} stopped at ${grouped(faces)} faces, ${deviation.toFixed(2)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
+  return `${where}${name}${others} stopped at ${writtenFaces([stopped])}, ${deviation.toFixed(2)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
+}
+
+/** The faces as they are in the file, and how many count for targets where these are fewer. */
+function writtenFaces(bodies: StoppedBody[]): string {
+  const faces = sum(bodies.map((body) => body.faces));
+  const duplicates = sum(bodies.map((body) => body.duplicates ?? 0));
+  const all = `${grouped(faces + duplicates)} faces`;
+  return duplicates > 0 ? `${all} (${grouped(faces)} without duplicates)` : all;
 }
 
 /** What lies within rounding of a limit keeps it. */
@@ -129,10 +138,7 @@ function describeMiss(
 ): string {
   const missed = bodies.filter(isExhausted);
   if (missed.length === 0) return '';
-  const [after, target] = [
-    sum(missed.map(({ faces }) => faces)),
-    sum(missed.map((body) => body.targetFaces)),
-  ];
+  const target = sum(missed.map((body) => body.targetFaces));
   const which =
     bodies.length > 1 ? ` in ${counted(missed.length, 'body', 'bodies')} of ${bodies.length}` : '';
   const reasons = describeRefused(stopReport(missed).refused);
@@ -140,7 +146,7 @@ function describeMiss(
     (body, i) => isExhausted(body) && isBlockedBySeams(originals[i], body.history.refused, settings),
   );
   const cure = isBlocked ? `; ${nameOf('seams')} cross lets them give way` : '';
-  return `${where}Stopped at ${grouped(after)} faces${which}, not ${grouped(target)}: ${reasons}${cure}`;
+  return `${where}Stopped at ${writtenFaces(missed)}${which}, not ${grouped(target)}: ${reasons}${cure}`;
 }
 
 const isExhausted = (body: StoppedBody): boolean => stopReport([body]).reason === 'exhausted';
