@@ -145,6 +145,26 @@ describe('a written file', () => {
     },
   );
 
+  it('in draco has joint weights that add up to 1 within the rounding of 16 bits', async () => {
+    const document = startDocument();
+    const mesh = addRichMesh(document, 'rich', torus());
+    const [primitive] = mesh.listPrimitives();
+    const shares = Array.from({ length: primitive.getAttribute('POSITION')!.getCount() }, (_, v) => {
+      const [a, b] = [(v % 97) / 200, (v % 89) / 300];
+      return [a, b, 0.1, 0.9 - a - b];
+    });
+    primitive.setAttribute('WEIGHTS_0', floats(document, 'VEC4', shares.flat()));
+    const model = await openModel([await glbFile(document)]);
+    const again = await openModel(await write(model, 'a.glb', { compression: 'draco' }));
+    const weights = again.document.getRoot().listMeshes()[0].listPrimitives()[0].getAttribute('WEIGHTS_0')!;
+    const sums = Array.from({ length: weights.getCount() }, (_, v) =>
+      weights.getElement(v, []).reduce((sum, weight) => sum + weight, 0),
+    );
+    const worst = Math.max(...sums.map((sum) => Math.abs(sum - 1)));
+    expect(worst).toBeLessThan(3e-5);
+    expect(worst).toBeGreaterThan(1e-7);
+  });
+
   it('is stored like its input, in steps of its input’s own grid', async () => {
     for (const compression of ['quantized', 'meshopt', 'draco'] as const) {
       const input = await write(await richModel(), 'a.glb', { compression });
