@@ -11,9 +11,14 @@ import { compareMethods, comparisonKey } from '../../web/app/state/methods';
 import { freeName, modelGroups } from '../../web/app/state/queue/model_groups';
 import { describeOutcome, describeProgress, summaryCsv } from '../../web/app/state/queue/summary';
 import { changeSettings, results } from '../../web/app/state/store';
-import { CANCELLED } from '../../web/app/worker/protocol';
+import { CANCELLED, resultFileKey } from '../../web/app/worker/protocol';
 import type { OpenedFile } from '../../web/app/worker/protocol';
-import { EXPORT_FORMATS, exportFormatOf, exportSettings } from '../../web/app/worker/export_form';
+import {
+  drawnSettings,
+  EXPORT_FORMATS,
+  exportFormatOf,
+  exportSettings,
+} from '../../web/app/worker/export_form';
 
 // The state of the page asks for the colour scheme.
 vi.hoisted(() => vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} })));
@@ -43,6 +48,14 @@ test('a format of several files that a link names is packed, and what a format c
     compress: 'like-input',
     lodStyle: 'files',
   });
+});
+
+test('the picture of a result waits for no tuning, and its solver counts where frequencies there limit its faces', () => {
+  const own = { ...defaultSettings(), solver: 'blender', tune: 'vertex', engine: 'mass=2' } as const;
+  const kept = { faces: null, own: [] };
+  expect(drawnSettings({ ...own }).solver).toBe('none');
+  expect(resultFileKey({ ...own }, kept)).toBe(resultFileKey(defaultSettings(), kept));
+  expect(drawnSettings({ ...own, maxFrequencyError: 1 }).solver).toBe('blender');
 });
 
 test.each([{ seconds: 3 }, { scenario: 'sway' }, { friction: 0.1 }] as const)(

@@ -1,12 +1,14 @@
 /** Which tasks the page runs after a cancel, with a worker that answers when a test says so. */
 
-import { afterEach, beforeAll, expect, it, vi } from 'vitest';
+import { afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
+import { closeQueue, fillQueue } from '../../web/app/state/queue/queue';
 import { refusedLock } from '../../web/app/state/locks';
 import { cancelRunning, openFiles, resume, showBody, startRunner } from '../../web/app/state/runner';
 import { redo, restoreUndo, undo } from '../../web/app/state/undo';
 import { changeSettings, isHistoryStale, results, status, view, wants } from '../../web/app/state/store';
 import { twin } from '../../web/app/state/twin';
 import { CANCELLED } from '../../web/app/worker/protocol';
+import { defaultSettings } from '../../web/engine/settings/options';
 import { keyOf } from '../../web/engine/stages/stage';
 import { STAGES } from '../../web/engine/stages/stages';
 
@@ -241,6 +243,56 @@ it('a link for a body that cannot be used shows the first one that can', () =>
     await answerUntil('pins');
     expect(wants.body.value).toBe(0);
   }));
+
+describe('another model', () => {
+  const ofUse = {
+    solver: 'blender',
+    tune: 'vertex',
+    engine: 'mass=2',
+    bendRatio: 0.5,
+    massRule: 'area',
+  } as const;
+  const use = (): void => {
+    changeSettings({ ...ofUse, lods: [0.25], density: 7 });
+    twin.wantsTuned.value = true;
+  };
+
+  it('starts without the solver, parameters and levels of the last one', async () => {
+    await open();
+    use();
+    await open();
+    const { solver, tune, engine, bendRatio, massRule, lods } = defaultSettings();
+    expect(wants.settings.value).toMatchObject({
+      solver,
+      tune,
+      engine,
+      bendRatio,
+      massRule,
+      lods,
+      density: 7,
+    });
+    expect(twin.wantsTuned.value).toBe(false);
+  });
+
+  it('has what a link asks of it', async () => {
+    await open();
+    const settings = { ...defaultSettings(), ...ofUse };
+    void openFiles([], { settings, faces: null, own: new Map(), body: 0, file: null });
+    await answerUntil('pins');
+    expect(wants.settings.value).toEqual(settings);
+  });
+
+  it('of the same queue keeps them, as its models have one setting', async () => {
+    const files = [{ name: 'b.obj', bytes: new Uint8Array() }];
+    fillQueue([{ name: 'b.obj', files }]);
+    await open();
+    use();
+    void openFiles(files);
+    await answerUntil('pins');
+    expect(wants.settings.value).toMatchObject({ ...ofUse, lods: [0.25] });
+    closeQueue();
+  });
+});
 
 it('what is tuned for all solvers is asked for one file alone', async () => {
   await open();

@@ -4,7 +4,7 @@ import { expect, it, vi } from 'vitest';
 import { drawnArrays, quickArrays } from '../../web/app/viewer/drawn_arrays';
 import { mapTexture } from '../../web/app/viewer/colours';
 import { Pane } from '../../web/app/viewer/pane';
-import { showShapes } from '../../web/app/panels/viewport/show_bodies';
+import { sceneFaces, showShapes } from '../../web/app/panels/viewport/show_bodies';
 import { results, view } from '../../web/app/state/store';
 import type { Viewport } from '../../web/app/viewer/viewport';
 import type { TriangleMesh } from '../../web/engine/core/core';
@@ -84,4 +84,14 @@ it('modes of a mesh that was welded in another way move nothing', () => {
   results.modes.value = shapesOf(12);
   showShapes({ displace } as unknown as Viewport);
   expect(displace).toHaveBeenCalledWith('original', null);
+});
+
+it('the faces of a scene are counted as the slider shares them out, also until its result is drawn', () => {
+  const bodies = [{ faces: 10 }, { faces: 20 }, { faces: 7, health: null }];
+  results.file.value = { bodies } as never;
+  results.originalFile.value = new Uint8Array();
+  view.step.value = 'reduce';
+  expect(sceneFaces('optimized')).toBeNull();
+  results.shares.value = { targets: [4, 9, 0] } as never;
+  expect([sceneFaces('original'), sceneFaces('optimized')]).toEqual([37, 20]);
 });

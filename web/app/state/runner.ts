@@ -2,7 +2,7 @@
 
 import { batch, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
-import { fileDefaults } from '../../engine/settings/options';
+import { fileDefaults, modelDefaults } from '../../engine/settings/options';
 import { CANCELLED } from '../worker/protocol';
 import type { OpenedBody, OpenedFile } from '../worker/protocol';
 import { WorkerLost } from './client';
@@ -10,6 +10,7 @@ import { takeAwaited } from './link';
 import type { Wanted } from './link';
 import { refusedLock } from './locks';
 import { fittingOwnFaces } from './own_faces';
+import { isLinedUp } from './queue/queue';
 import { startReplay } from './replay';
 import { client, complain, replayer, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
@@ -55,15 +56,17 @@ async function openNow(files: SourceFile[], asked?: Wanted): Promise<void> {
     await call.catch(() => null);
     if (own.isCancelled) return;
     const file = await client.open(files);
-    take(file, asked ?? takeAwaited(file.name));
+    // The models of a queue have one setting.
+    const startsAnew = !isLinedUp(files);
+    take(file, asked ?? takeAwaited(file.name), startsAnew);
     void saveFiles(files);
   } finally {
     opened = null;
   }
 }
 
-/** Shows a file that the worker has opened. */
-function take(file: OpenedFile, wanted: Wanted | undefined): void {
+/** Shows a file that the worker has opened. `startsAnew`: without what the last model is for, where nothing is wanted of this one. */
+function take(file: OpenedFile, wanted: Wanted | undefined, startsAnew: boolean): void {
   done.clear();
   batch(() => {
     stopped.value = new Map();
@@ -79,7 +82,8 @@ function take(file: OpenedFile, wanted: Wanted | undefined): void {
     view.hidden.value = new Set();
     view.animated.value = false;
     if (wanted) wants.settings.value = wanted.settings;
-    else changeSettings(fileDefaults());
+    else changeSettings(startsAnew ? modelDefaults() : fileDefaults());
+    if (startsAnew) twin.wantsTuned.value = twin.isSolverUnknown.value = false;
     status.refusedPins.value = refusedLock.value = null;
     view.picking.value = false;
     view.brush.value = { ...view.brush.value, tool: null };

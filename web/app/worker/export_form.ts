@@ -65,10 +65,14 @@ export function exportSettings(settings: Settings): Settings {
   return { ...settings, format, compress: 'like-input', lodStyle: 'files' };
 }
 
-/** The settings of files that the page draws itself: whatever is exported, they are plain GLB. */
+/** The settings of files that the page draws itself: whatever is exported, they are plain GLB, and no picture waits for tuning. */
 export const drawnSettings = (settings: Settings): Settings => ({
   ...settings,
+  ...(settings.maxFrequencyError > 0 ? {} : UNTUNED),
   format: 'auto',
   compress: 'none',
   lodStyle: 'files',
 });
+
+/** What a mesh looks like depends on its solver only where frequencies there are what limits its faces. */
+const UNTUNED = { solver: 'none', tune: 'global', engine: '', massRule: 'auto' } as const;

@@ -5,6 +5,7 @@ import { METHODS } from '../core/methods';
 import type { Method } from '../core/methods';
 import { OPTIONS, SETTING_NAMES } from './table';
 import type { SettingName, Settings } from './table';
+import type { OptionSpec } from './types';
 
 /** A row of METHODS; its settings are checked to be settings. */
 export interface MethodSpec extends Omit<(typeof METHODS)[number], 'defaults' | 'reads' | 'autoModel'> {
@@ -41,9 +42,15 @@ export function methodChange(method: Method): Partial<Settings> {
 }
 
 /** The defaults of the settings that name parts of one file. */
-export function fileDefaults(): Partial<Settings> {
+export const fileDefaults = (): Partial<Settings> => defaultsWhere(({ isOfFile }) => isOfFile);
+
+/** The defaults of the settings that name parts of one file or say what one model is for. */
+export const modelDefaults = (): Partial<Settings> =>
+  defaultsWhere(({ isOfFile, isOfUse }) => isOfFile ?? isOfUse);
+
+function defaultsWhere(isMeant: (option: OptionSpec) => true | undefined): Partial<Settings> {
   const defaults = defaultSettings();
-  const names = SETTING_NAMES.filter((name) => OPTIONS[name].isOfFile);
+  const names = SETTING_NAMES.filter((name) => isMeant(OPTIONS[name]));
   return Object.fromEntries(names.map((name) => [name, defaults[name]]));
 }
 

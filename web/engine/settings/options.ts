@@ -10,6 +10,7 @@ export {
   fitOf,
   methodChange,
   methodOf,
+  modelDefaults,
   readsSetting,
   resolveModel,
   resolveModes,

@@ -153,6 +153,7 @@ const ROWS = {
     default: [],
     help: 'Further levels of detail, one file each (OUT_lod1.glb, ...), with these shares of the faces of the whole scene (with --per-body: of each body).',
     group: 'target',
+    isOfUse: true,
     placeholder: 'R[,R...]',
   },
   borders: {
@@ -423,6 +424,7 @@ const ROWS = {
     default: 'none',
     help: `Find the parameters with which the result moves like the original in a solver: none, or ${describeSolvers()}.`,
     group: 'solver',
+    isOfUse: true,
     commands: ['simulate'],
     choices: ['none', ...SOLVER_NAMES],
   },
@@ -433,6 +435,7 @@ const ROWS = {
     default: 'global',
     help: 'What is tuned: one factor on stretching and one on bending (global), smooth maps of factors (vertex), or a factor for every spring, triangle and hinge (constraint), where the engine takes them.',
     group: 'solver',
+    isOfUse: true,
     choices: ['global', 'vertex', 'constraint'],
   },
   /** the user's own parameters of the engine, see engine_text.ts; '': defaults that follow from the material */
@@ -443,6 +446,7 @@ const ROWS = {
     default: '',
     help: 'Your own parameters of the solver, as typed in for the original: name=value with commas, or a file of them; the others follow from the material.',
     group: 'solver',
+    isOfUse: true,
     commands: ['simulate'],
   },
   bendRatio: {
@@ -456,6 +460,7 @@ const ROWS = {
     default: 0.05,
     help: 'Springs and dihedral only: the bend constant over the stretch constant (for dihedral times the square of the mean edge), where none is given.',
     group: 'solver',
+    isOfUse: true,
     commands: ['simulate'],
     placeholder: 'R',
   },
@@ -466,6 +471,7 @@ const ROWS = {
     default: 'auto',
     help: 'How the mass of the original is shared out: by the area around each vertex, the same for every vertex, or as the solver does it by itself (auto).',
     group: 'solver',
+    isOfUse: true,
     commands: ['simulate'],
     choices: ['auto', 'area', 'vertex'],
   },

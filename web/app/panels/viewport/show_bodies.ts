@@ -59,15 +59,16 @@ const drawnMeshes = computed((): ReadonlySet<number> | null => {
   return shown.length === bodies.length ? null : new Set(shown.map(({ mesh }) => mesh));
 });
 
-/** Faces of all bodies of the scene that a pane draws; null where it draws one body. */
+/** Faces of all bodies of the scene, as many as the slider counts, also until they are drawn; null where a pane is of one body. */
 export function sceneFaces(name: PaneName): number | null {
   const bodies = results.file.value?.bodies ?? [];
   const isScene = isFileDrawn.value && view.isWhole.value && bodies.length > 1;
-  const { value: result } = shownResultFile;
-  if (!isScene || !(name === 'original' ? results.originalFile.value : result)) return null;
+  if (!isScene || !results.originalFile.value) return null;
+  const after = shownResultFile.value?.faces ?? results.shares.value?.targets;
+  if (name === 'optimized' && !after) return null;
   // A body that cannot be used stays as it is.
   const facesOf = bodies.map(({ faces, health }, i) =>
-    name === 'original' || health === null ? faces : result!.faces[i],
+    name === 'original' || health === null ? faces : after![i],
   );
   return sum(facesOf.filter((_, i) => !view.hidden.value.has(i)));
 }

@@ -54,6 +54,10 @@ export function fillQueue(groups: readonly ModelGroup[]): void {
   queue.value = { items, isRunning: false, seconds: 0 };
 }
 
+/** Whether these files are a model of the queue. */
+export const isLinedUp = (files: SourceFile[]): boolean =>
+  queue.value?.items.some((item) => item.files === files) ?? false;
+
 export function closeQueue(): void {
   cancelQueue();
   queue.value = null;
