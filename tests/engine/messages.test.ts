@@ -192,6 +192,17 @@ test('a sentence of the engine is known by its form', () => {
   expect(sentence('The file is empty.')).toBe('The file is empty.');
 });
 
+test('what the reader says of a file is known by its form', () => {
+  shown.value = { language: 'ja', table: JAPANESE };
+  expect(sentence('1 animation: the rest pose is used')).toBe('アニメーション 1: 静止時の姿勢を使用');
+  expect(sentence('2 skins and 1 animation: the rest pose is used')).toBe(
+    'スキン 2、アニメーション 1: 静止時の姿勢を使用',
+  );
+  expect(sentence('3 polygons with more than three corners cut into triangles')).toBe(
+    '多角形 3 個を三角形に分割',
+  );
+});
+
 test('the first known language of the browser is taken', () => {
   expect(preferredLanguage(['de-DE', 'ja-JP', 'en'])).toBe('ja');
   expect(preferredLanguage(['en-GB', 'ja'])).toBe('en');
