@@ -12,11 +12,19 @@ const FILL = 0.8;
 /** Farther away than this many radii a body would be a dot, and then nothing. */
 const FARTHEST = 40;
 
+/** Points behind the eye count as if they were so near before it. */
+const NEAREST = 1e-9;
+
+/** Why the eye is farther away: the picture has become narrower, or a body moves out of it. */
+type Reason = 'width' | 'motion';
+
 export class OrbitCamera {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
   private readonly controls: CameraControls;
   /** how much farther away the eye is than the user has put it */
-  private dollyFactor = 1;
+  readonly factors: Record<Reason, number> = { width: 1, motion: 1 };
+  /** whether the user has zoomed or moved the picture since the last `fit` */
+  isFramedByUser = false;
   /** from the space of the scene to that of what is shown */
   readonly rotation = new THREE.Quaternion();
 
@@ -24,11 +32,18 @@ export class OrbitCamera {
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
+    this.controls.addEventListener('control', () => (this.isFramedByUser ||= !this.isTurning()));
   }
 
   /** Returns whether the picture has changed. */
   update(seconds: number): boolean {
     return this.controls.update(seconds);
+  }
+
+  /** Whether the user's hand turns the view, which leaves it framed as it was. */
+  private isTurning(): boolean {
+    const { ROTATE, TOUCH_ROTATE } = CameraControls.ACTION;
+    return ([ROTATE, TOUCH_ROTATE] as number[]).includes(this.controls.currentAction);
   }
 
   setAspect(aspect: number): void {
@@ -44,11 +59,13 @@ export class OrbitCamera {
   /** Moves what is looked at, in shares of its distance. */
   slide(right: number, down: number): void {
     const { distance } = this.controls;
+    this.isFramedByUser = true;
     void this.controls.truck(right * distance, down * distance, true);
   }
 
   /** Comes nearer by a factor; below 1 it goes away. */
   zoom(factor: number): void {
+    this.isFramedByUser = true;
     void this.controls.dollyTo(this.controls.distance / factor, true);
   }
 
@@ -68,7 +85,7 @@ export class OrbitCamera {
   /** Looks at all of these points from the front, so near that they fill the picture. */
   fit(points: THREE.Vector3[], isAnimated: boolean): void {
     const { center, radius } = new THREE.Box3().setFromPoints(points).getBoundingSphere(new THREE.Sphere());
-    this.dollyFactor = 1;
+    Object.assign(this.factors, { width: 1, motion: 1 });
     this.camera.near = radius / 100;
     this.camera.far = radius * 100;
     this.controls.maxDistance = radius * FARTHEST;
@@ -106,16 +123,40 @@ export class OrbitCamera {
     camera.quaternion.copy(quaternion);
   }
 
-  /** Puts the eye at `factor` times the distance that the user has chosen. */
-  stepBack(factor: number): void {
-    void this.controls.dollyTo((this.controls.distance * factor) / this.dollyFactor, false);
-    this.dollyFactor = factor;
+  /** Puts the eye at `factor` times the distance that the user has chosen, for this reason. */
+  stepBack(reason: Reason, factor: number, isAnimated = false): void {
+    if (factor === this.factors[reason]) return;
+    void this.controls.dollyTo((this.endDistance() * factor) / this.factors[reason], isAnimated);
+    this.factors[reason] = factor;
   }
 
-  /** How far the points go sideways from the middle of the picture, over half of its width. */
-  horizontalSpread(points: readonly THREE.Vector3[]): number {
+  /** Takes the distance for one that the user has chosen. */
+  forgetFactor(reason: Reason): void {
+    this.factors[reason] = 1;
+  }
+
+  /** The distance now over that which the eye is on its way to. */
+  shareOfWay(): number {
+    return this.controls.distance / this.endDistance();
+  }
+
+  private endDistance(): number {
+    return this.controls.getSpherical(new THREE.Spherical(), true).radius;
+  }
+
+  /** How far the points go from the middle of the picture, over half of its width and height; very far behind the eye. */
+  spreadOf(points: readonly THREE.Vector3[]): { across: number; up: number } {
     this.controls.update(0);
     this.camera.updateMatrixWorld();
-    return points.reduce((most, point) => Math.max(most, Math.abs(point.clone().project(this.camera).x)), 0);
+    const tangent = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    const seen = new THREE.Vector3();
+    const spread = { across: 0, up: 0 };
+    for (const point of points) {
+      seen.copy(point).applyMatrix4(this.camera.matrixWorldInverse);
+      const half = tangent * Math.max(NEAREST, -seen.z);
+      spread.across = Math.max(spread.across, Math.abs(seen.x) / (half * this.camera.aspect));
+      spread.up = Math.max(spread.up, Math.abs(seen.y) / half);
+    }
+    return spread;
   }
 }

@@ -14,6 +14,7 @@ import { AxesMark } from './axes_mark';
 import { Dots } from './dots';
 import type { DotLook } from './dots';
 import { drawPane } from './draw_pane';
+import { FrameKeeper } from './frame_keeper';
 import { OrbitCamera } from './orbit_camera';
 import { Pane } from './pane';
 import type { Look } from './pane';
@@ -35,12 +36,12 @@ export class Viewport {
   private readonly renderer: THREE.WebGLRenderer;
   readonly orbit: OrbitCamera;
   private readonly layout: PaneLayout;
+  private readonly keeper: FrameKeeper;
   private readonly timer = new THREE.Timer();
   private readonly maps: Record<MapName, THREE.DataTexture>;
   private readonly panes: Record<PaneName, Pane>;
   private readonly pickPreview: Dots;
   private readonly ring = new BrushRing();
-  private lastColumns = 1;
   /** vertices of the original */
   private pinned: Iterable<number> = [];
   /** whether the camera waits for a large mesh */
@@ -69,6 +70,7 @@ export class Viewport {
     this.pickPreview = new Dots(ratio);
     this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
     this.orbit = new OrbitCamera(canvas);
+    this.keeper = new FrameKeeper(this.orbit);
     this.files = new ShownFiles(this.renderer, this.orbit.camera, this.panes);
     this.layout = new PaneLayout(canvas);
     const aim = (event: MouseEvent): void => this.orbit.setPointerRegion(...this.layout.columnRegion(event));
@@ -76,7 +78,7 @@ export class Viewport {
       canvas.addEventListener(name, aim, { capture: true, passive: true });
     // A canvas is cleared as its size changes, so that it has to be drawn before the browser shows it.
     new ResizeObserver(() => {
-      this.resize();
+      this.keepBodyInView();
       this.draw();
     }).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => {
@@ -238,15 +240,13 @@ export class Viewport {
     this.keepBodyInView();
   }
 
-  /** Moves the eye back where panes become narrower, so that they still show what they did, and forth again. */
-  private keepBodyInView(): void {
-    const spread = () => this.orbit.horizontalSpread(this.files.corners());
-    const before = Math.max(1, spread());
-    this.resize();
-    const { columns } = this.layout;
-    if (columns === this.lastColumns) return;
-    this.lastColumns = columns;
-    this.orbit.stepBack(columns > 1 ? Math.max(1, spread() / before) : 1);
+  private keepBodyInView = (): void => this.keeper.keepWidth(this.files.corners(), () => this.resize());
+
+  /** Keeps moving bodies in the picture, unless the user pulls at one; null: they rest again. `positions[3 v + c]` of each. */
+  followMotion(bodies: readonly Float32Array[] | null): void {
+    if (!bodies) this.keeper.endMotion();
+    else if (!this.canvas.classList.contains('dragging'))
+      this.keeper.keepMotion(this.files.corners(), bodies);
   }
 
   /** The pane at a point of the page. */
@@ -286,11 +286,11 @@ export class Viewport {
   fit(isAnimated = true): void {
     this.fitsLater = this.panes.original.isLate;
     if (this.fitsLater) return;
-    const corners = this.files.corners();
     const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.rotation));
-    const points = [...corners, ...turned];
+    const points = [...this.files.corners(), ...turned];
     if (points.length === 0) return;
     this.orbit.fit(points, isAnimated);
+    this.keeper.fitted();
     this.isStale = true;
   }
 

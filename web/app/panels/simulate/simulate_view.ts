@@ -28,6 +28,7 @@ export function showTwin(viewport: Viewport | null): void {
     viewport.setPositions('original', null);
     viewport.setPositions('optimized', null);
     if (isSimulating()) viewport.pin([]);
+    else viewport.followMotion(null);
     return;
   }
   const { original, optimized } = frame.bodies;
@@ -37,6 +38,7 @@ export function showTwin(viewport: Viewport | null): void {
   const dots = isOverlaid.value ? new Float32Array() : optimized.pins;
   if (!isDriven.value) viewport.setPositions('optimized', optimized.positions, { dots });
   else if (frame.driven) viewport.setPositions('optimized', frame.driven, { values, dots });
+  viewport.followMotion([original.positions, optimized.positions]);
 }
 
 /** The last scene that the camera was turned to, as text. */

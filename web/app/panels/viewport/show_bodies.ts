@@ -65,13 +65,17 @@ export function sceneFaces(name: PaneName): number | null {
   const isScene = isFileDrawn.value && view.isWhole.value && bodies.length > 1;
   if (!isScene || !results.originalFile.value) return null;
   const after = shownResultFile.value?.faces ?? results.shares.value?.targets;
-  if (name === 'optimized' && !after) return null;
+  if (name === 'optimized' && !after) return wants.faces.value ?? halfOf(bodies);
   // A body that cannot be used stays as it is.
   const facesOf = bodies.map(({ faces, health }, i) =>
     name === 'original' || health === null ? faces : after![i],
   );
   return sum(facesOf.filter((_, i) => !view.hidden.value.has(i)));
 }
+
+/** As many faces as a scene keeps where no number is asked for. */
+const halfOf = (bodies: readonly { faces: number }[]): number =>
+  Math.floor(sum(bodies.map(({ faces }) => faces)) / 2);
 
 /** Draws the original and the result with the materials of their files, where nothing else is asked for. */
 export function showFiles(viewport: Viewport | null): void {
