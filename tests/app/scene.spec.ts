@@ -64,6 +64,29 @@ test('eyes hide meshes, and the stage shows the chosen one alone on request', as
   expect((await shown(page)).blue).toBeGreaterThan(1000);
 });
 
+test('the View menu is closed by Escape, by a click elsewhere and by another step', async ({ page }) => {
+  const choices = page.locator('.view-choices');
+  const open = async () => {
+    await page.getByText('View', { exact: true }).click();
+    await expect(choices).toBeVisible();
+  };
+  await open();
+  await page.getByLabel('Wireframe').check();
+  await page.keyboard.press('Escape');
+  await expect(choices).toBeHidden();
+  await expect(page.locator('.view-menu summary')).toBeFocused();
+  await open();
+  await page.locator('.viewport canvas').click({ position: { x: 40, y: 40 } });
+  await expect(choices).toBeHidden();
+  await open();
+  // A press of a key leaves the menu alone until the step has changed.
+  await page.getByRole('button', { name: 'Reduce' }).focus();
+  await expect(choices).toBeVisible();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('slider', { name: 'Kept faces' })).toBeVisible();
+  await expect(choices).toBeHidden();
+});
+
 test(
   'looks change the picture, and the animation of the file moves it',
   { tag: '@full' },

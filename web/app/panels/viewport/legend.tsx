@@ -1,5 +1,6 @@
 /** How the mesh is drawn, and what its colours mean. */
 
+import { useEffect, useRef } from 'preact/hooks';
 import { spellModes } from '../../../engine/core/mode_set';
 import { chooseField, isFileDrawn, results, shownField, view } from '../../state/store';
 import type { FieldName, LookName } from '../../state/store';
@@ -33,13 +34,39 @@ export function Legend() {
       <Choice label="Colour by" options={FIELDS} value={shownField.value} onChange={chooseField} />
       <Scale />
       {isFileDrawn.value && <LookSelect />}
-      <details class="view-menu">
-        <summary>{say('View')}</summary>
-        <div class="view-choices">
-          <Toggles />
-        </div>
-      </details>
+      <ViewMenu key={view.step.value} />
     </div>
+  );
+}
+
+/** Closed by a click elsewhere and by Escape, which then does nothing else. */
+function ViewMenu() {
+  const menu = useRef<HTMLDetailsElement>(null);
+  useEffect(() => {
+    const close = (event: PointerEvent): void => {
+      if (!menu.current!.contains(event.target as Node)) menu.current!.open = false;
+    };
+    const escape = (event: KeyboardEvent): void => {
+      if (event.key !== 'Escape' || !menu.current!.open) return;
+      event.stopPropagation();
+      menu.current!.open = false;
+      menu.current!.querySelector('summary')!.focus();
+    };
+    // Ahead of the tools of the canvas, which keep what they take to themselves.
+    document.addEventListener('pointerdown', close, { capture: true });
+    document.addEventListener('keydown', escape, { capture: true });
+    return () => {
+      document.removeEventListener('pointerdown', close, { capture: true });
+      document.removeEventListener('keydown', escape, { capture: true });
+    };
+  }, []);
+  return (
+    <details class="view-menu" ref={menu}>
+      <summary>{say('View')}</summary>
+      <div class="view-choices">
+        <Toggles />
+      </div>
+    </details>
   );
 }
 
