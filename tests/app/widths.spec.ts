@@ -1,7 +1,8 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
-import { goTo, openPage, readout } from './page';
+import { drop, goTo, openPage, readout, writeScratch } from './page';
+import { standingTubes } from './scenes';
 
 const WINDOWS = [
   { width: 1440, height: 900, colorScheme: 'light' },
@@ -81,6 +82,38 @@ test('on a phone no label of a mesh lies under the choice of the view', async ({
   }
   await context.close();
 });
+
+for (const { width, height } of [
+  { width: 1440, height: 900 },
+  { width: 820, height: 1100 },
+])
+  test(`at ${width} x ${height} all read-outs of a scene are seen whole, and what is running lies on none`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height });
+    await openPage(page);
+    await drop(page, writeScratch('tubes.glb', await standingTubes()));
+    await goTo(page, 'Reduce');
+    await expect(readout(page, 'Topology')).toContainText('handles');
+    const hidden = await page.evaluate(() => {
+      const line = document.querySelector('.foot-line')!;
+      const before = line.getBoundingClientRect().height;
+      line.querySelector('.busy')?.remove();
+      const busy = document.createElement('div');
+      busy.className = 'notice busy';
+      busy.innerHTML =
+        '<span class="what">Dressing the result</span><progress></progress><span>fitting 50 %</span><button>Cancel</button>';
+      line.append(busy);
+      const box = busy.getBoundingClientRect();
+      const words = [...line.querySelectorAll('.readouts :is(dt, strong, span)')].filter((word) => {
+        const { left, right, top, bottom } = word.getBoundingClientRect();
+        const isUnder = right > box.left && left < box.right && bottom > box.top && top < box.bottom;
+        return isUnder || right > innerWidth || word.scrollWidth > word.clientWidth + 1;
+      });
+      return [...words.map((word) => word.textContent), line.getBoundingClientRect().height - before];
+    });
+    expect(hidden).toEqual([0]);
+  });
 
 test('the legend lies below the picture where it takes two rows', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });

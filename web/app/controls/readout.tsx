@@ -8,11 +8,13 @@ interface ReadoutProps {
   value: string;
   note: string;
   isBad?: boolean;
+  /** of value and note together; 'named': as others, and the value may be cut in place of the note */
+  width?: 'wide' | 'wider' | 'widest' | 'named';
 }
 
-export function Readout({ name, value, note, isBad }: ReadoutProps) {
+export function Readout({ name, value, note, isBad, width }: ReadoutProps) {
   return (
-    <div class={isBad ? 'bad' : undefined}>
+    <div class={`${width ?? ''} ${isBad ? 'bad' : ''}`} title={`${value} ${note}`}>
       <dt>{say(name)}</dt>
       <dd>
         <strong>{value}</strong>

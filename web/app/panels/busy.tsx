@@ -15,10 +15,9 @@ export function Busy() {
   return (
     <div class="notice busy">
       <Spoken text={say(what)} />
-      <span>
-        {say(what)} <span class="muted detail">{describeProgress(progress, left)}</span>
-      </span>
+      <span class="what">{say(what)}</span>
       <progress max={1} value={shareDone(progress) ?? undefined} aria-label={say(what)} />
+      <span class="muted detail">{describeProgress(progress, left)}</span>
       <button type="button" class="quiet" onClick={cancelRunning} title={say('Esc')}>
         {say('Cancel')}
       </button>

@@ -27,7 +27,7 @@ function NameReadout() {
   const chosen = wants.body.value;
   if (bodies.length === 1) return null;
   const which = say('{number} of {all}', { number: count(chosen + 1), all: count(bodies.length) });
-  return <Readout name="Mesh" value={bodies[chosen].name} note={which} />;
+  return <Readout name="Mesh" value={bodies[chosen].name} note={which} width="named" />;
 }
 
 function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
@@ -39,7 +39,12 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
       <Spoken text={spokenResult(body, faces)} />
       <dl class="readouts" tabIndex={0}>
         <NameReadout />
-        <Readout name="Faces" value={`${count(total)} → ${count(faces)}`} note={`${fixed(change, 1)} %`} />
+        <Readout
+          name="Faces"
+          value={`${count(total)} → ${count(faces)}`}
+          note={`${fixed(change, 1)} %`}
+          width="wider"
+        />
         <Readout
           name="Smallest angle"
           value={metrics ? `${fixed(metrics.minAngle, 1)}°` : '...'}
@@ -54,6 +59,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
           name="Deviation"
           value={metrics ? `${fixed(metrics.hausdorff, 2)} %` : '...'}
           note={metrics ? say('mean {mean} %', { mean: fixed(metrics.mean, 3) }) : say('of the diagonal')}
+          width="wide"
         />
         <FrequencyReadout />
         <TopologyReadout />
@@ -78,7 +84,7 @@ function spokenResult(body: BodySummary, faces: number): string {
 
 function TopologyReadout() {
   const metrics = shownMetrics.value;
-  if (!metrics) return <Readout name="Topology" value="..." note="" />;
+  if (!metrics) return <Readout name="Topology" value="..." note="" width="widest" />;
   const { certificate, inspection } = metrics;
   return (
     <Readout
@@ -86,6 +92,7 @@ function TopologyReadout() {
       value={certificate.kept ? say('kept') : say('CHANGED')}
       note={describeTopology(inspection)}
       isBad={!certificate.kept}
+      width="widest"
     />
   );
 }
@@ -95,7 +102,14 @@ function FrequencyReadout() {
   if (fitOf(wants.settings.value) !== 'modal') return null;
   const fitted = shownFit.value;
   if (fitted?.errorAfter.length === 0)
-    return <Readout name="Frequency error" value={say('not fitted')} note={sentence(fitted.unfitted)} />;
+    return (
+      <Readout
+        name="Frequency error"
+        value={say('not fitted')}
+        note={sentence(fitted.unfitted)}
+        width="widest"
+      />
+    );
   const at = fitted && fitted.large > 0 ? say(', at half and twice the thickness') : '';
   const worst = fitted ? worstPart(fitted.errorAfter) : null;
   const where = fitted && worst ? describePart(worst.part, fitted.errorAfter.length) : '';
@@ -109,6 +123,7 @@ function FrequencyReadout() {
           ? `${where && `${where}, `}${say('{error} % before the fit', { error: fixed(before, 1) })}${at}`
           : say('fitting')
       }
+      width="widest"
     />
   );
 }
@@ -137,6 +152,7 @@ function OriginalReadouts() {
         name="Topology"
         value={inspection.nonManifoldEdges > 0 ? say('non-manifold') : say('manifold')}
         note={describeTopology(inspection)}
+        width="widest"
       />
     </dl>
   );
