@@ -2,6 +2,7 @@
 
 import { expose } from 'comlink';
 import { beforeEach, expect, it, vi } from 'vitest';
+import { drawnNoise } from '../../web/app/panels/simulate/simulate_axes';
 import { checkConvergence, convergenceCheck } from '../../web/app/state/convergence';
 import { reset, simulationKey } from '../../web/app/state/simulation';
 import { changeSettings, results, status, view, wantedKey, wants } from '../../web/app/state/store';
@@ -99,4 +100,12 @@ it('a check whose program cannot be loaded says so', async () => {
   expect(convergenceCheck.value!.failure).toBe(
     'The simulation has stopped: its program could not be loaded.',
   );
+});
+
+it('the noise floor that is told is that of the drawn curve, also where the last step did not measure it', () => {
+  const sample = (time: number, noise: number | null) => ({ time, noise, mean: 1, max: 1 }) as never;
+  expect(drawnNoise([])).toBeNull();
+  expect(drawnNoise([sample(0, 0.2), sample(1, 0.3), sample(2, null)])).toBe(0.3);
+  // The chart has left it behind.
+  expect(drawnNoise([sample(0, 0.2), sample(11, null)])).toBeNull();
 });

@@ -3,25 +3,13 @@
 import type { TwinSample } from '../../../engine/motion/twin';
 import { twin } from '../../state/twin';
 import { fixed, percent } from '../../controls/numbers';
-import { roundUp } from './simulate_scale';
+import { axesOf, drawnNoise } from './simulate_axes';
+import type { Axes } from './simulate_axes';
 import './simulate_chart.css';
 import { say } from '../../language/say';
 
 /** The view box of the chart. */
 const [WIDTH, HEIGHT] = [1000, 100];
-
-/** The least and the most seconds that the chart shows. */
-const SHORTEST = 2;
-const LONGEST = 10;
-
-interface Axes {
-  /** s */
-  start: number;
-  /** s */
-  span: number;
-  /** the deviation at the upper end, % */
-  high: number;
-}
 
 export function DeviationChart() {
   const samples = twin.samples.value;
@@ -68,18 +56,6 @@ function Caption({ hasNoise }: { hasNoise: boolean }) {
   );
 }
 
-/** The range of the axes: the whole run, or its last seconds. */
-function axesOf(samples: TwinSample[]): Axes {
-  const end = samples.at(-1)?.time ?? 0;
-  const start = Math.max(0, end - LONGEST);
-  const span = Math.max(SHORTEST, Math.min(LONGEST, Math.ceil(end)));
-  const most = samples.reduce(
-    (high, { time, mean, noise }) => (time < start ? high : Math.max(high, mean, noise ?? 0)),
-    0.01,
-  );
-  return { start, span, high: roundUp(most) };
-}
-
 function pointsOf(
   samples: TwinSample[],
   valueOf: (sample: TwinSample) => number,
@@ -99,7 +75,8 @@ function describe(samples: TwinSample[]): string {
   if (!last) return say('Deviation over time: nothing has moved yet.');
   const peak = samples.reduce((most, sample) => (sample.mean > most.mean ? sample : most));
   const mean = samples.reduce((sum, sample) => sum + sample.mean, 0) / samples.length;
-  const floor = last.noise === null ? '' : say('; noise floor {noise}', { noise: percent(last.noise) });
+  const noise = drawnNoise(samples);
+  const floor = noise === null ? '' : say('; noise floor {noise}', { noise: percent(noise) });
   return say(
     'Deviation after {time} s: now {now} of the diagonal, {mean} on average, at most {most} at {at} s{floor}.',
     {

@@ -5,6 +5,7 @@ import { haveLattice, twin } from '../../state/twin';
 import { wants } from '../../state/store';
 import { fixed, percent } from '../../controls/numbers';
 import { Readout } from '../../controls/readout';
+import { drawnNoise } from './simulate_axes';
 import { describeSpeedUp, speedUp } from './speed_up';
 import type { StepTimes } from './speed_up';
 import { say } from '../../language/say';
@@ -16,13 +17,18 @@ export function SimulateReadouts() {
   const frame = twin.numbers.value;
   const times = stepTimes(frame);
   const last = twin.samples.value.at(-1);
-  const noise = last?.noise ?? null;
+  const noise = drawnNoise(twin.samples.value);
   return (
     <dl class="readouts" tabIndex={0}>
-      <Readout name="Time" value={frame ? `${fixed(frame.time, 2)} s` : '...'} note={describePace(frame)} />
+      <Readout
+        name="Time"
+        value={frame ? `${fixed(frame.time, 2)} s` : '...'}
+        note={describePace(frame)}
+        width="wide"
+      />
       <Cost name="Original, per step" seconds={times.original} />
       <Cost name="Optimized, per step" seconds={times.optimized} />
-      <Readout name="Speed-up" value={speedUp(times)} note={describeSpeedUp(times)} />
+      <Readout name="Speed-up" value={speedUp(times)} note={describeSpeedUp(times)} width="wide" />
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
@@ -31,11 +37,13 @@ export function SimulateReadouts() {
             ? say('noise floor not measured')
             : say('noise floor {noise}', { noise: percent(noise) })
         }
+        width="wider"
       />
       <Readout
         name="Stretch"
         value={frame ? percent(frame.bodies.original.stretch) : '...'}
         note={frame ? say('optimized {stretch}', { stretch: percent(frame.bodies.optimized.stretch) }) : ''}
+        width="wide"
       />
     </dl>
   );
@@ -56,6 +64,7 @@ function Cost({ name, seconds }: { name: string; seconds: number }) {
       name={name}
       value={seconds > 0 ? `${(1000 * seconds).toPrecision(3)} ms` : '...'}
       note={seconds > 0 ? say('{time} µs/substep', { time: perSubstep.toPrecision(3) }) : ''}
+      width="wide"
     />
   );
 }
