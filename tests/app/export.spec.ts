@@ -27,6 +27,29 @@ async function saved(page: Page, name: string): Promise<Buffer> {
   return readFileSync(await download.path());
 }
 
+test('that nothing is lost is said once the file is written and checked', async ({ page }) => {
+  await openPage(page);
+  await drop(page, sheet);
+  await expect(page.locator('.filename')).toHaveText('sheet-out.obj');
+  // Collects what stands in every frame in which the file is still to be written.
+  await page.evaluate(() => {
+    const early: string[] = [];
+    Object.assign(window, { early });
+    const look = (): void => {
+      const panel = document.querySelector<HTMLElement>('.export');
+      const isReady = panel?.querySelector('.verdict');
+      if (panel && !isReady) early.push(panel.innerText);
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  await button(page, 'Export').click();
+  await expect(page.getByText('Nothing in the file is lost.')).toBeVisible();
+  const early = await page.evaluate(() => (window as unknown as { early: string[] }).early);
+  expect(early.length).toBeGreaterThan(0);
+  expect(early.filter((text) => text.includes('Nothing in the file is lost.'))).toEqual([]);
+});
+
 test('levels and the binding are checked, packed, and the same as from the command line', async ({
   page,
 }) => {

@@ -55,7 +55,7 @@ export function ExportPanel() {
       <PresetSection />
       <LevelsSection exported={exported} />
       <SolverSection report={exported?.report ?? null} />
-      <LeftOut dropped={exported?.lost ?? file.dropped} />
+      <LeftOut dropped={exported?.lost ?? file.dropped} isKnown={exported !== null} />
       {exported && <Verdict exported={exported} />}
       <Actions exported={exported} />
     </aside>
@@ -97,10 +97,13 @@ function carriedWords(): string {
 const several = (number: number, one: string, other: string): string =>
   number > 0 ? sayCounted(number, one, other) : '';
 
-function LeftOut({ dropped }: { dropped: string[] }) {
+/** `isKnown`: whether the file is written and checked, so that nothing else can be lost. */
+function LeftOut({ dropped, isKnown }: { dropped: string[]; isKnown: boolean }) {
   return (
     <Section title="Left out">
-      {dropped.length === 0 && <p class="hint">{say('Nothing in the file is lost.')}</p>}
+      {dropped.length === 0 && (
+        <p class="hint">{isKnown ? say('Nothing in the file is lost.') : say('Writing and checking ...')}</p>
+      )}
       {dropped.length > 0 && (
         <ul class="note-list">
           {dropped.map((text) => (
