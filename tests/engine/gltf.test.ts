@@ -7,7 +7,7 @@ import { companionNames } from '../../web/engine/document/gltf';
 import { openModel } from '../../web/engine/document/open';
 import type { SourceFile } from '../../web/engine/document/open';
 import { failureOf, SQUARE_OBJ, textFile } from './support/files';
-import { addMesh, addRichMesh, glbFile, indices, primitiveOf, startDocument } from './support/gltf';
+import { addMesh, addRichMesh, floats, glbFile, indices, primitiveOf, startDocument } from './support/gltf';
 import { cube, grid } from './support/shapes';
 
 const open = async (document: Document) => openModel([await glbFile(document)]);
@@ -129,6 +129,18 @@ describe('glTF', () => {
     expect((await openModel(files)).bodies[0].indices).toHaveLength(3);
     const flat = files.map((file) => ({ ...file, name: file.name.split('/').pop()! }));
     expect((await openModel(flat)).bodies[0].indices).toHaveLength(3);
+  });
+
+  it('says that morph targets with default weights are taken at rest', async () => {
+    const notesAt = async (weight: number) => {
+      const document = startDocument();
+      const target = document.createPrimitiveTarget('up');
+      target.setAttribute('POSITION', floats(document, 'VEC3', Array(cube().positions.length).fill(1)));
+      addMesh(document, 'cube', [primitiveOf(document, cube()).addTarget(target)]).setWeights([weight]);
+      return (await openModel([await glbFile(document)])).notes;
+    };
+    expect(await notesAt(0)).toEqual([]);
+    expect(await notesAt(0.5)).toEqual(['default weights of morph targets: the rest pose is used']);
   });
 
   it('names the companion files that are missing', async () => {

@@ -197,5 +197,11 @@ function restPoseNotes(document: Document): string[] {
     ...(skins > 0 ? [counted(skins, 'skin')] : []),
     ...(animations > 0 ? [counted(animations, 'animation')] : []),
   ];
-  return moving.length > 0 ? [`${moving.join(' and ')}: the rest pose is used`] : [];
+  const isMorphed = [...root.listNodes(), ...root.listMeshes()].some((one) =>
+    one.getWeights().some((weight) => weight !== 0),
+  );
+  return [
+    ...(moving.length > 0 ? [moving.join(' and ')] : []),
+    ...(isMorphed ? ['default weights of morph targets'] : []),
+  ].map((things) => `${things}: the rest pose is used`);
 }

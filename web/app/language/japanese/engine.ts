@@ -94,6 +94,7 @@ export const ENGINE: MessageTable = {
   // web/engine/document/gltf.ts, obj.ts, ply.ts, off.ts and stl.ts
   '{things}: the rest pose is used': '{things}: 静止時の姿勢を使用',
   '{skins} and {animations}: the rest pose is used': '{skins}、{animations}: 静止時の姿勢を使用',
+  'default weights of morph targets': 'モーフターゲットの初期の重み',
   '{count} skin': 'スキン {count}',
   '{count} animation': 'アニメーション {count}',
   '{count} polygon with more than three corners cut into triangles': '多角形 {count} 個を三角形に分割',
