@@ -131,6 +131,24 @@ describe('glTF', () => {
     expect((await openModel(flat)).bodies[0].indices).toHaveLength(3);
   });
 
+  it('calls meshes of one name by their nodes', async () => {
+    const document = startDocument();
+    for (const [mesh, node] of [
+      ['Mesh', 'left'],
+      ['Mesh', 'right'],
+      ['Wheel', 'front'],
+      ['Mesh', ''],
+    ]) {
+      const made = addMesh(document, mesh, [primitiveOf(document, cube())]);
+      made
+        .listParents()
+        .find((parent) => parent.propertyType === 'Node')!
+        .setName(node);
+    }
+    const { bodies } = await openModel([await glbFile(document)]);
+    expect(bodies.map(({ name }) => name)).toEqual(['left', 'right', 'Wheel', 'Mesh']);
+  });
+
   it('says that morph targets with default weights are taken at rest', async () => {
     const notesAt = async (weight: number) => {
       const document = startDocument();

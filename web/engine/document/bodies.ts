@@ -37,10 +37,12 @@ export function bodiesOfDocument(
   const bodies: Body[] = [];
   const without: { name: string; reasons: string }[] = [];
   const nodes = firstNodes(document);
+  const repeated = repeatedNames(document);
   const room = { file, left: most };
   for (const [number, mesh] of document.getRoot().listMeshes().entries()) {
     const node = nodes.get(mesh);
-    const name = mesh.getName() || node?.getName() || `mesh ${number}`;
+    const ofNode = node?.getName() ?? '';
+    const name = (repeated.has(mesh.getName()) && ofNode) || mesh.getName() || ofNode || `mesh ${number}`;
     const gathering = gather(room, name, mesh);
     const bodyNotes = skippedNotes(gathering.skipped);
     if (gathering.indices.length === 0) {
@@ -54,6 +56,17 @@ export function bodiesOfDocument(
     bodies.push({ name, positions, indices, notes: bodyNotes, mesh: number, spans, scale: scaling.scale });
   }
   return { bodies, notes: describeWithout(without) };
+}
+
+/** The names that several meshes have, as copies of an object often do: only their nodes tell these apart. */
+function repeatedNames(document: Document): Set<string> {
+  const [seen, repeated] = [new Set<string>(), new Set<string>()];
+  for (const mesh of document.getRoot().listMeshes()) {
+    const name = mesh.getName();
+    if (seen.has(name)) repeated.add(name);
+    seen.add(name);
+  }
+  return repeated;
 }
 
 /** The first node that shows each mesh. */
