@@ -107,10 +107,11 @@ export class FileOutput {
     const levels = this.values(STAGES.furtherLevels).map((all) => all[number]);
     const histories = this.values(STAGES.history);
     const { usable } = this.file;
+    const prepared = this.prepared();
     const bodies = levels.map(({ result, targetFaces, guard }, i): StoppedBody => ({
       name: usable[i].run.context.body.name,
       guard,
-      ...this.facesOf(result, i),
+      ...facesOf(result, prepared[i]),
       targetFaces,
       history: histories[i],
     }));
@@ -182,20 +183,15 @@ export class FileOutput {
   stopped(): StoppedBody[] {
     const histories = this.values(STAGES.history);
     const { usable } = this.file;
+    const prepared = this.prepared();
     return this.values(STAGES.fitted).map(({ result, frequency, guard }, i) => ({
       name: usable[i].run.context.body.name,
-      ...this.facesOf(result, i),
+      ...facesOf(result, prepared[i]),
       targetFaces: this.request.targets[usable[i].i],
       history: histories[i],
       frequency,
       guard,
     }));
-  }
-
-  /** `i`: the number of the body among those that take part. */
-  private facesOf({ mesh, inputOfTriangle }: MeshAt, i: number): Pick<StoppedBody, 'faces' | 'duplicates'> {
-    const faces = faceCount(mesh);
-    return { faces, duplicates: layeredFaces(this.prepared()[i].layers, inputOfTriangle) - faces };
   }
 
   /** `options`: as used. `levels`: the further levels, with the names of their files. */
@@ -288,4 +284,12 @@ export class FileOutput {
     const bodies = runs.map((run, i) => run && exported(run, i));
     return exportFiles(model, bodies, { name, form, manner, fields });
   }
+}
+
+function facesOf(
+  { mesh, inputOfTriangle }: MeshAt,
+  { layers }: PreparedBody,
+): Pick<StoppedBody, 'faces' | 'duplicates'> {
+  const faces = faceCount(mesh);
+  return { faces, duplicates: layeredFaces(layers, inputOfTriangle) - faces };
 }
