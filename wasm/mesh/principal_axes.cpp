@@ -47,11 +47,7 @@ PrincipalAxes principalAxes(std::span<const Vec3> points, std::span<const double
 
 Vec3 longestAxis(const TriangleMesh& mesh) {
   const PrincipalAxes axes = principalAxes(mesh);
-  const Bounds box = bounds(mesh);
-  const Vec3 size = box.high - box.low;
-  int longest = 0;
-  for (int c = 1; c < 3; ++c)
-    if (size[c] > size[longest]) longest = c;
+  const int longest = bounds(mesh).longestAxis();
   Vec3 nearest;
   for (size_t k = 0; k < 3; ++k)
     if (axes.variance[k] >= (1 - kAlike) * axes.variance[2]) nearest += axes.axis[k] * axes.axis[k][longest];

@@ -45,6 +45,14 @@ struct Bounds {
   Vec3 low, high;
 
   double diagonal() const { return length(high - low); }
+  // The axis of the longest side, the first of equal ones.
+  int longestAxis() const {
+    const Vec3 size = high - low;
+    int longest = 0;
+    for (int axis = 1; axis < 3; ++axis)
+      if (size[axis] > size[longest]) longest = axis;
+    return longest;
+  }
   // Widens the box so that it contains a point or another box.
   void include(const Vec3& p) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -134,11 +134,7 @@ std::vector<std::string> scenarioNames() {
 }
 
 int Scenario::axis() const {
-  const Vec3 size = sizeOf(*this);
-  int longest = 0;
-  for (int c = 1; c < 3; ++c)
-    if (size[c] > size[longest]) longest = c;
-  return longest;
+  return box.longestAxis();
 }
 
 int Scenario::across() const {

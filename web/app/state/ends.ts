@@ -1,17 +1,10 @@
 /** What the ends of the shown body are called, as its scene shows it. */
 
 import { computed } from '@preact/signals';
-import { boundsOf } from '../../engine/core/mesh';
+import { boundsOf, longestAxis } from '../../engine/core/mesh';
 import { STANDING_ENDS, endNames, rotated, rotationOf } from '../../engine/motion/scene_rotation';
 import type { EndNames } from '../../engine/motion/scene_rotation';
 import { results, wants } from './store';
-
-/** The axis of the longest side, the first of equal ones. */
-function longestAxis(positions: Float32Array): number {
-  const { low, high } = boundsOf(positions);
-  const sizes = high.map((value, axis) => value - low[axis]);
-  return sizes.indexOf(Math.max(...sizes));
-}
 
 const shown = computed(() => {
   const { file, body } = results;
@@ -21,12 +14,12 @@ const shown = computed(() => {
 
 /** Of the longest side of the mesh, at whose ends it can be pinned; null without a body. */
 export const pinEnds = computed<EndNames | null>(
-  () => shown.value && endNames(shown.value.nodeMatrix, longestAxis(shown.value.positions)),
+  () => shown.value && endNames(shown.value.nodeMatrix, longestAxis(boundsOf(shown.value.positions))),
 );
 
 /** Of the longest side of the body as it stands, along which scenarios act, as subjects; null without a body. */
 export const scenarioEnds = computed<EndNames | null>(() => {
   if (!shown.value) return null;
   const { nodeMatrix, positions } = shown.value;
-  return STANDING_ENDS[longestAxis(rotated(positions, rotationOf(nodeMatrix)))];
+  return STANDING_ENDS[longestAxis(boundsOf(rotated(positions, rotationOf(nodeMatrix))))];
 });

@@ -1,7 +1,7 @@
 /** Which regions each mode strains: along the body, for the gallery's strips, and in comparison with the other modes. */
 
 import type { Core, ModeSet, TriangleMesh } from '../../engine/core/core';
-import { boundsOf, faceCount } from '../../engine/core/mesh';
+import { boundsOf, faceCount, longestAxis } from '../../engine/core/mesh';
 import { hotFaces, sharedHotSpots } from '../../engine/report/hot_spots';
 import { STRIP } from './protocol';
 import type { StrainOverview } from './protocol';
@@ -50,12 +50,13 @@ function meanOverSlabs(rank: Float32Array, slab: Uint8Array): Float64Array {
 
 function slabOfTriangle(mesh: TriangleMesh): Uint8Array {
   const { positions, triangles } = mesh;
-  const { low, high } = boundsOf(positions);
-  const size = high.map((value, axis) => value - low[axis]);
-  const axis = size.indexOf(Math.max(...size));
+  const bounds = boundsOf(positions);
+  const axis = longestAxis(bounds);
+  const low = bounds.low[axis];
+  const size = bounds.high[axis] - low;
   const coordinate = (corner: number): number => positions[3 * triangles[corner] + axis];
   return Uint8Array.from({ length: faceCount(mesh) }, (_, t) => {
     const centre = (coordinate(3 * t) + coordinate(3 * t + 1) + coordinate(3 * t + 2)) / 3;
-    return Math.min(STRIP - 1, Math.floor((STRIP * (centre - low[axis])) / (size[axis] || 1)));
+    return Math.min(STRIP - 1, Math.floor((STRIP * (centre - low)) / (size || 1)));
   });
 }

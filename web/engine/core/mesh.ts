@@ -24,6 +24,12 @@ export function boundsOf(positions: Float32Array | readonly number[]): Bounds {
   return { low, high };
 }
 
+/** The axis of the longest side of a box, the first of equal ones. */
+export function longestAxis({ low, high }: Bounds): number {
+  const sizes = high.map((value, axis) => value - low[axis]);
+  return sizes.indexOf(Math.max(...sizes));
+}
+
 /** The length of the diagonal of the bounding box. */
 export function diagonalOf(positions: Float32Array | readonly number[]): number {
   const { low, high } = boundsOf(positions);

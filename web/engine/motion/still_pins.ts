@@ -1,12 +1,15 @@
 /** Whether a scenario that moves its pins can do so with those that there are. */
 
-import { boundsOf } from '../core/mesh';
+import { boundsOf, longestAxis } from '../core/mesh';
 import type { TriangleMesh } from '../core/core';
 import { scenarioWords } from '../core/scenarios';
 import type { ScenarioName } from '../core/scenarios';
 
 /** Still: nothing moves, as no pin does. Torn: pins that are neighbours part, as one of them moves and the other does not. */
 export type PinTrouble = 'still' | 'torn';
+
+/** What a scenario does with a pin, as bits. */
+const [STAYS, MOVES] = [1, 2];
 
 /**
  * What is wrong with pins in a scenario that moves those beyond the middle of the longest side, and nothing else: `pinTarget` in
@@ -20,12 +23,12 @@ export function pinTrouble(
   if (pinned === null || !scenarioWords(scenario).movesPins) return null;
   const isMoved = movedBy(mesh.positions);
   if (!pinned.some(isMoved)) return 'still';
-  const isPinned = new Set(pinned);
-  const part = (a: number, b: number) => isPinned.has(a) && isPinned.has(b) && isMoved(a) !== isMoved(b);
-  for (let t = 0; t < mesh.triangles.length; t += 3) {
-    const [a, b, c] = mesh.triangles.subarray(t, t + 3);
-    if (part(a, b) || part(b, c) || part(c, a)) return 'torn';
-  }
+  const { positions, triangles } = mesh;
+  const pinOf = new Uint8Array(positions.length / 3);
+  for (const v of pinned) pinOf[v] = isMoved(v) ? MOVES : STAYS;
+  for (let t = 0; t < triangles.length; t += 3)
+    if ((pinOf[triangles[t]] | pinOf[triangles[t + 1]] | pinOf[triangles[t + 2]]) === (STAYS | MOVES))
+      return 'torn';
   return null;
 }
 
@@ -43,8 +46,8 @@ export function describePinTrouble(trouble: PinTrouble, scenario: ScenarioName, 
 
 /** Whether a vertex lies beyond the middle of the longest side. */
 function movedBy(positions: Float32Array): (v: number) => boolean {
-  const { low, high } = boundsOf(positions);
-  const sizes = high.map((value, axis) => value - low[axis]);
-  const axis = sizes.indexOf(Math.max(...sizes));
-  return (v) => positions[3 * v + axis] > (low[axis] + high[axis]) / 2;
+  const bounds = boundsOf(positions);
+  const axis = longestAxis(bounds);
+  const middle = (bounds.low[axis] + bounds.high[axis]) / 2;
+  return (v) => positions[3 * v + axis] > middle;
 }
