@@ -174,8 +174,9 @@ bool isWithinHausdorff(const TriangleMesh& a, const TriangleMesh& b, double limi
   const uint32_t samples = sampleCount(a, b, options.samples);
   const TwoTrees trees(a, b);
   const auto isWithin = [&](const TriangleMesh& from, const ClosestPointTree& to) {
+    if (!areWithin(from.positions, to, limit, job)) return false;
     const auto positions = sampleSurface(from, samples).positions;
-    return areWithin(from.positions, to, limit, job) && areWithin(positions, to, limit, job) &&
+    return areWithin(positions, to, limit, job) &&
            areWithin(edgePoints(from, positions.size()), to, limit, job);
   };
   const bool areBoth = isWithin(a, trees.ofB()) && isWithin(b, trees.ofA());
