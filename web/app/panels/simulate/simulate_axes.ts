@@ -16,10 +16,13 @@ export interface Axes {
   high: number;
 }
 
+const endOf = (samples: TwinSample[]): number => samples.at(-1)?.time ?? 0;
+
+const startOf = (samples: TwinSample[]): number => Math.max(0, endOf(samples) - LONGEST);
+
 /** The range of the axes: the whole run, or its last seconds. */
 export function axesOf(samples: TwinSample[]): Axes {
-  const end = samples.at(-1)?.time ?? 0;
-  const start = Math.max(0, end - LONGEST);
+  const [start, end] = [startOf(samples), endOf(samples)];
   const span = Math.max(SHORTEST, Math.min(LONGEST, Math.ceil(end)));
   const most = samples.reduce(
     (high, { time, mean, noise }) => (time < start ? high : Math.max(high, mean, noise ?? 0)),
@@ -30,6 +33,6 @@ export function axesOf(samples: TwinSample[]): Axes {
 
 /** The noise floor where the curve that is drawn ends, %; null where none is drawn. */
 export function drawnNoise(samples: TwinSample[]): number | null {
-  const { start } = axesOf(samples);
+  const start = startOf(samples);
   return samples.findLast(({ time, noise }) => time >= start && noise !== null)?.noise ?? null;
 }
