@@ -1,5 +1,6 @@
 /** What is written as OBJ and ZIP, what a file leaves out, and files of the user beside those of limber. */
 
+import type { Document } from '@gltf-transform/core';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { EXTMeshGPUInstancing } from '@gltf-transform/extensions';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -31,6 +32,14 @@ function limber(words: string) {
 }
 
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+/** An attribute with the same numbers at each of four vertices. */
+const atFourVertices = (document: Document, type: 'VEC3' | 'VEC4', values: number[]) =>
+  floats(
+    document,
+    type,
+    [0, 1, 2, 3].flatMap(() => values),
+  );
 
 describe('a written OBJ', () => {
   const written = (document: ReturnType<typeof startDocument>) =>
@@ -75,12 +84,7 @@ describe('a written OBJ', () => {
   it('has a skin in its pose with all influences of its vertices', () => {
     const document = startDocument();
     const primitive = primitiveOf(document, grid(1, 1));
-    const everywhere = (values: number[]) =>
-      floats(
-        document,
-        'VEC4',
-        [0, 1, 2, 3].flatMap(() => values),
-      );
+    const everywhere = (values: number[]) => atFourVertices(document, 'VEC4', values);
     primitive
       .setAttribute('JOINTS_0', everywhere([0, 1, 2, 3]))
       .setAttribute('JOINTS_1', everywhere([4, 0, 0, 0]))
@@ -96,12 +100,7 @@ describe('a written OBJ', () => {
   it('has morph targets at the default weights of the node, otherwise of the mesh, and so does a PLY', () => {
     const document = startDocument();
     const sheet = primitiveOf(document, grid(1, 1));
-    const everywhere = (values: number[]) =>
-      floats(
-        document,
-        'VEC3',
-        [0, 1, 2, 3].flatMap(() => values),
-      );
+    const everywhere = (values: number[]) => atFourVertices(document, 'VEC3', values);
     const [right, up] = [5, 7].map((x) =>
       document.createPrimitiveTarget().setAttribute('POSITION', everywhere([x, 0, 0])),
     );
