@@ -3,6 +3,7 @@
 
 import { VERSION } from '../engine/core/version';
 import { ASSET_WORKER } from './batch/asset_worker';
+import { optimizeLater } from './optimizing_compiler';
 
 const words = process.argv.slice(2);
 process.stdout.on('error', (error) => {
@@ -11,8 +12,10 @@ process.stdout.on('error', (error) => {
 if (words.length === 1 && ['--version', '-v', 'version'].includes(words[0])) {
   process.stdout.write(`${VERSION}\n`);
 } else if (words[0] === ASSET_WORKER) {
+  optimizeLater();
   await import('./batch/worker');
 } else {
+  optimizeLater();
   const { startProgram } = await import('./program');
   await startProgram(words);
 }
