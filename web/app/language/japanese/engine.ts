@@ -91,19 +91,6 @@ export const ENGINE: MessageTable = {
   'the fit would break a limit of deviation or angle': 'フィットするとずれか角の制限を超えます',
   // web/app/worker, web/engine/document
   'No file is open: open one first.': 'ファイルが開かれていません。先にファイルを開いてください。',
-  // web/engine/document/gltf.ts, obj.ts, ply.ts, off.ts and stl.ts
-  '{things}: the rest pose is used': '{things}: 静止時の姿勢を使用',
-  '{skins} and {animations}: the rest pose is used': '{skins}、{animations}: 静止時の姿勢を使用',
-  'default weights of morph targets': 'モーフターゲットの初期の重み',
-  '{count} skin': 'スキン {count}',
-  '{count} animation': 'アニメーション {count}',
-  '{count} polygon with more than three corners cut into triangles': '多角形 {count} 個を三角形に分割',
-  '{count} polygons with more than three corners cut into triangles': '多角形 {count} 個を三角形に分割',
-  '{count} face with fewer than three corners': '頂点が 3 個未満の面 {count} 個',
-  '{count} faces with fewer than three corners': '頂点が 3 個未満の面 {count} 個',
-  '{count} line or point skipped': '線と点 {count} 個を読み飛ばし',
-  '{count} lines and points skipped': '線と点 {count} 個を読み飛ばし',
-  '{count} solids read as one body': 'ソリッド {count} 個を 1 つの物体として読み込み',
   // web/engine/document/dropped.ts
   'extension {name}': '拡張機能 {name}',
   // web/engine/settings/check.ts and kinds.ts

@@ -3,6 +3,7 @@
 import type { MessageTable } from '../message_table';
 import { ENGINE } from './engine';
 import { EXPORT_FORMS } from './export_forms';
+import { FILE_NOTES } from './file_notes';
 import { PAGE } from './page';
 import { PANELS } from './panels';
 import { PROGRESS } from './progress';
@@ -14,6 +15,7 @@ import { TEST_AND_EXPORT } from './test_and_export';
 export const JAPANESE: MessageTable = {
   ...ENGINE,
   ...EXPORT_FORMS,
+  ...FILE_NOTES,
   ...PAGE,
   ...PANELS,
   ...PROGRESS,

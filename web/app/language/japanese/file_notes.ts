@@ -1,0 +1,90 @@
+/** What the readers of files say of what they have read, by the form of the English sentences. */
+
+import type { MessageTable } from '../message_table';
+
+export const FILE_NOTES: MessageTable = {
+  // web/engine/document/gltf.ts, obj.ts, ply.ts, off.ts and stl.ts
+  '{things}: the rest pose is used': '{things}: 静止時の姿勢を使用',
+  '{skins} and {animations}: the rest pose is used': '{skins}、{animations}: 静止時の姿勢を使用',
+  'default weights of morph targets': 'モーフターゲットの初期の重み',
+  '{count} skin': 'スキン {count}',
+  '{count} skins': 'スキン {count}',
+  '{count} animation': 'アニメーション {count}',
+  '{count} animations': 'アニメーション {count}',
+  '{count} polygon with more than three corners cut into triangles': '多角形 {count} 個を三角形に分割',
+  '{count} polygons with more than three corners cut into triangles': '多角形 {count} 個を三角形に分割',
+  '{count} face with fewer than three corners': '頂点が 3 個未満の面 {count} 個',
+  '{count} faces with fewer than three corners': '頂点が 3 個未満の面 {count} 個',
+  '{count} line or point skipped': '線と点 {count} 個を読み飛ばし',
+  '{count} lines and points skipped': '線と点 {count} 個を読み飛ばし',
+  '{count} solids read as one body': 'ソリッド {count} 個を 1 つの物体として読み込み',
+  '{count} unknown line skipped, the first is line {line}':
+    '不明な行 {count} 行を読み飛ばし (最初は {line} 行目)',
+  '{count} unknown lines skipped, the first is line {line}':
+    '不明な行 {count} 行を読み飛ばし (最初は {line} 行目)',
+  // web/engine/document/bodies.ts
+  'mesh {name} has no triangles': 'メッシュ {name} に三角形がありません',
+  'mesh {name} has no triangles ({reasons})': 'メッシュ {name} に三角形がありません ({reasons})',
+  '{count} meshes ({names}) have no triangles': 'メッシュ {count} 個 ({names}) に三角形がありません',
+  '{count} meshes ({names}) have no triangles ({reasons})':
+    'メッシュ {count} 個 ({names}) に三角形がありません ({reasons})',
+  '{count} primitive of points skipped': '点のプリミティブ {count} 個を読み飛ばし',
+  '{count} primitives of points skipped': '点のプリミティブ {count} 個を読み飛ばし',
+  '{count} primitive of lines skipped': '線のプリミティブ {count} 個を読み飛ばし',
+  '{count} primitives of lines skipped': '線のプリミティブ {count} 個を読み飛ばし',
+  '{count} primitive without positions skipped': '座標のないプリミティブ {count} 個を読み飛ばし',
+  '{count} primitives without positions skipped': '座標のないプリミティブ {count} 個を読み飛ばし',
+  'its node scales it unevenly: frequencies take the mean scale':
+    'ノードの拡大率が軸により異なるため、周波数には平均の拡大率を使用',
+  // web/engine/document/checks
+  '{count} texture has no image that can be read: the result is without it':
+    'テクスチャ {count} 枚の画像を読み込めないため、結果には含まれません',
+  '{count} textures have no image that can be read: the result is without them':
+    'テクスチャ {count} 枚の画像を読み込めないため、結果には含まれません',
+  '{count} texture ({names}) is not there or outside of the folder: the result only names it':
+    'テクスチャ {count} 枚 ({names}) が見つからないか、フォルダーの外にあります。結果には名前だけが残ります',
+  '{count} textures ({names}) are not there or outside of the folder: the result only names them':
+    'テクスチャ {count} 枚 ({names}) が見つからないか、フォルダーの外にあります。結果には名前だけが残ります',
+  '{names} and {count} more': '{names} ほか {count} 件',
+  '{count} texture has a second image for older viewers, which is left out':
+    'テクスチャ {count} 枚にある古いビューアー用の画像は除外されます',
+  '{count} textures have a second image for older viewers, which is left out':
+    'テクスチャ {count} 枚にある古いビューアー用の画像は除外されます',
+  // web/engine/document/formats/obj/left_out.ts
+  '{count} texture ({names}) left out, not there or outside of the folder: put the pictures beside the model':
+    'テクスチャ {count} 枚 ({names}) を除外: 見つからないか、フォルダーの外にあります。画像をモデルと同じ場所に置いてください',
+  '{count} textures ({names}) left out, not there or outside of the folder: put the pictures beside the model':
+    'テクスチャ {count} 枚 ({names}) を除外: 見つからないか、フォルダーの外にあります。画像をモデルと同じ場所に置いてください',
+  '{count} texture ({names}) left out, neither PNG nor JPEG, which glTF takes: convert the pictures, and name the new ones in the material library':
+    'テクスチャ {count} 枚 ({names}) を除外: glTF で使える PNG・JPEG ではありません。画像を変換し、マテリアルライブラリの名前も変えてください',
+  '{count} textures ({names}) left out, neither PNG nor JPEG, which glTF takes: convert the pictures, and name the new ones in the material library':
+    'テクスチャ {count} 枚 ({names}) を除外: glTF で使える PNG・JPEG ではありません。画像を変換し、マテリアルライブラリの名前も変えてください',
+  '{count} bump map ({names}) left out, glTF has normals in place of heights: bake a normal map and name it by norm':
+    'バンプマップ {count} 枚 ({names}) を除外: glTF は高さではなく法線を使います。法線マップをベイクし、norm で指定してください',
+  '{count} bump maps ({names}) left out, glTF has normals in place of heights: bake a normal map and name it by norm':
+    'バンプマップ {count} 枚 ({names}) を除外: glTF は高さではなく法線を使います。法線マップをベイクし、norm で指定してください',
+  '{count} map of opacity ({names}) left out, glTF has opacity in the picture of the colour: put it into the alpha channel of a PNG, and name that by map_Kd and map_d':
+    '不透明度マップ {count} 枚 ({names}) を除外: glTF では不透明度は色の画像に入ります。PNG のアルファチャンネルに入れ、map_Kd と map_d で指定してください',
+  '{count} maps of opacity ({names}) left out, glTF has opacity in the picture of the colour: put it into the alpha channel of a PNG, and name that by map_Kd and map_d':
+    '不透明度マップ {count} 枚 ({names}) を除外: glTF では不透明度は色の画像に入ります。PNG のアルファチャンネルに入れ、map_Kd と map_d で指定してください',
+  '{count} map of roughness or metalness ({names}) left out, glTF has both in one picture: put roughness into its green and metalness into its blue channel, and name it by map_Pr and map_Pm':
+    'ラフネスまたはメタルネスのマップ {count} 枚 ({names}) を除外: glTF では 1 枚の画像にまとめます。緑にラフネス、青にメタルネスを入れ、map_Pr と map_Pm で指定してください',
+  '{count} maps of roughness or metalness ({names}) left out, glTF has both in one picture: put roughness into its green and metalness into its blue channel, and name it by map_Pr and map_Pm':
+    'ラフネスまたはメタルネスのマップ {count} 枚 ({names}) を除外: glTF では 1 枚の画像にまとめます。緑にラフネス、青にメタルネスを入れ、map_Pr と map_Pm で指定してください',
+  '{count} material ({names}) plain, as no material library has it by name':
+    'マテリアル {count} 個 ({names}) は無地: どのマテリアルライブラリにもこの名前がありません',
+  '{count} materials ({names}) plain, as no material library has it by name':
+    'マテリアル {count} 個 ({names}) は無地: どのマテリアルライブラリにもこの名前がありません',
+  '{count} material library ({names}) left out, not text in UTF-8, or more than 8 MB: save it as UTF-8, or part it':
+    'マテリアルライブラリ {count} 個 ({names}) を除外: UTF-8 のテキストでないか、8 MB を超えています。UTF-8 で保存するか、分割してください',
+  '{count} material libraries ({names}) left out, not text in UTF-8, or more than 8 MB: save it as UTF-8, or part it':
+    'マテリアルライブラリ {count} 個 ({names}) を除外: UTF-8 のテキストでないか、8 MB を超えています。UTF-8 で保存するか、分割してください',
+  '{names} is not there: put it beside the OBJ for colours and textures of its materials':
+    '{names} が見つかりません。マテリアルの色とテクスチャを使うには OBJ と同じ場所に置いてください',
+  '{names} are not there: put them beside the OBJ for colours and textures of its materials':
+    '{names} が見つかりません。マテリアルの色とテクスチャを使うには OBJ と同じ場所に置いてください',
+  '{names} is not there or outside of its folder: put it beside the OBJ for colours and textures of its materials':
+    '{names} が見つからないか、フォルダーの外にあります。マテリアルの色とテクスチャを使うには OBJ と同じ場所に置いてください',
+  '{names} are not there or outside of its folder: put them beside the OBJ for colours and textures of its materials':
+    '{names} が見つからないか、フォルダーの外にあります。マテリアルの色とテクスチャを使うには OBJ と同じ場所に置いてください',
+};
