@@ -6,6 +6,7 @@ import { afterEach, expect, test } from 'vitest';
 import { preferredLanguage, shown } from '../../web/app/language/language';
 import { say, sayCounted, sentence } from '../../web/app/language/say';
 import { ENGINE } from '../../web/app/language/japanese/engine';
+import { FILE_ERRORS } from '../../web/app/language/japanese/file_errors';
 import { FILE_NOTES } from '../../web/app/language/japanese/file_notes';
 import { JAPANESE } from '../../web/app/language/japanese/table';
 import { METHODS } from '../../web/engine/core/methods';
@@ -126,7 +127,7 @@ function engineWords(): string[] {
 
 const root = join(import.meta.dirname, '..', '..');
 /** Sentences that the page finds by their form. */
-const ofEngine = { ...ENGINE, ...FILE_NOTES };
+const ofEngine = { ...ENGINE, ...FILE_ERRORS, ...FILE_NOTES };
 const used = new Map([...keys, ...engineWords().map((word) => [word, 'web/engine'] as const)]);
 const placeholders = (text: string): string[] => [...text.matchAll(/\{\w+\}/g)].map(([name]) => name).sort();
 
@@ -192,7 +193,8 @@ test('a sentence of the engine is known by its form', () => {
   expect(sentence('Modes 1 and 2 strain different places (7 % in common): both are kept.')).toBe(
     'モード 1 と 2 は異なる場所をひずませます (共通 7 %)。両方の場所を残します。',
   );
-  expect(sentence('The file is empty.')).toBe('The file is empty.');
+  expect(sentence('Nothing is known of this.')).toBe('Nothing is known of this.');
+  expect(sentence('convert it to GLB')).toBe('convert it to GLB');
 });
 
 test('what the reader says of a file is known by its form', () => {

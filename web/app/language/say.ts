@@ -63,9 +63,14 @@ function patterns(table: MessageTable): Pattern[] {
   return found;
 }
 
+/** Placeholders that stand for numbers alone, so that "{first} to {last}" is the form of no other sentence. */
+const NUMBERS = new Set(['all', 'count', 'first', 'last', 'line', 'number']);
+
 /** `split` gives texts and names of placeholders in turn. */
-const partOfForm = (part: string, i: number): string =>
-  i % 2 === 1 ? '(.+?)' : part.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&');
+function partOfForm(part: string, i: number): string {
+  if (i % 2 === 1) return NUMBERS.has(part) ? '([\\d.,]+)' : '(.+?)';
+  return part.replaceAll(/[.*+?^${}()|[\]\\]/g, '\\$&');
+}
 
 /**
  * A finished English sentence of the engine in the language of the page: by its entry, or by an entry with placeholders of the

@@ -3,6 +3,7 @@
 import type { MessageTable } from '../message_table';
 import { ENGINE } from './engine';
 import { EXPORT_FORMS } from './export_forms';
+import { FILE_ERRORS } from './file_errors';
 import { FILE_NOTES } from './file_notes';
 import { PAGE } from './page';
 import { PANELS } from './panels';
@@ -15,6 +16,7 @@ import { TEST_AND_EXPORT } from './test_and_export';
 export const JAPANESE: MessageTable = {
   ...ENGINE,
   ...EXPORT_FORMS,
+  ...FILE_ERRORS,
   ...FILE_NOTES,
   ...PAGE,
   ...PANELS,
