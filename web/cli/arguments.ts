@@ -3,7 +3,7 @@
 import { parseArgs } from 'node:util';
 import { coreMemory } from '../engine/core/memory_size';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
-import { checkSettings, settingsOf } from '../engine/settings/options';
+import { OPTIONS, checkSettings, settingsOf } from '../engine/settings/options';
 import type { Note, Settings } from '../engine/settings/options';
 import { PRESET_NAMES, settingsOfPreset } from '../engine/settings/presets';
 import type { PresetName } from '../engine/settings/presets';
@@ -117,7 +117,14 @@ function commandNamed(word: string): Command {
   throw new UsageError(`There is no command "${word}": ${hint}`);
 }
 
-/** Values by flag name, of a repeated flag the last one; '' for a switch. Refuses unknown flags and missing values. */
+/** Flags whose values are patterns of names: repeated, they stand for the names of any of them. */
+const PATTERNS: ReadonlySet<string> = new Set(
+  Object.values(OPTIONS)
+    .filter(({ kind }) => kind === 'pattern')
+    .map(({ flag }) => flag),
+);
+
+/** Values by flag name, of a repeated flag the last one, or all patterns; '' for a switch. Refuses unknown flags and missing values. */
 function readFlags(command: Command, words: string[]): { values: Map<string, string>; operands: string[] } {
   const flags = flagsOf(command);
   const known = new Map(flags.map((flag) => [flag.name, flag]));
@@ -130,7 +137,11 @@ function readFlags(command: Command, words: string[]): { values: Map<string, str
   const operands: string[] = [];
   for (const token of tokens)
     if (token.kind === 'positional') operands.push(token.value);
-    else if (token.kind === 'option') values.set(token.name, readValue(command, known, token));
+    else if (token.kind === 'option') {
+      const value = readValue(command, known, token);
+      const earlier = PATTERNS.has(token.name) ? values.get(token.name) : undefined;
+      values.set(token.name, earlier === undefined ? value : `${earlier}|${value}`);
+    }
   return { values, operands };
 }
 

@@ -634,7 +634,7 @@ const ROWS = {
     flag: 'mesh',
     label: 'Only the bodies',
     default: '',
-    help: 'Only bodies of this name; others stay as they are, byte for byte. In names * stands for any letters, ? for one, | for or.',
+    help: 'Only bodies of this name; others stay as they are, byte for byte. In names * stands for any letters, ? for one, | for or; the flag may be repeated.',
     group: 'common',
     isOfFile: true,
   },
