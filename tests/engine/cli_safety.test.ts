@@ -166,6 +166,9 @@ describe('exit codes', () => {
     expect(soft.stderr).toBe(asked.stderr);
     expect(limber('optimize torus.obj a.glb --method qem --lods 0.001').code).toBe(2);
     expect(limber('optimize torus.obj a.glb --method qem --lods 0.001 --soft').code).toBe(0);
+    const ofPreset = limber('optimize torus.obj a.glb --method qem --preset mobile --ratio 0.9');
+    expect(ofPreset.code).toBe(0);
+    expect(ofPreset.stderr).toContain('a_lod2.glb: torus stopped at');
   });
 
   it('are 0 where the default of half the faces cannot be reached, with a note', () => {

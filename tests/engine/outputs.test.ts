@@ -362,9 +362,9 @@ describe('a target', () => {
   it.each(PRESET_NAMES)('is half of the faces with the preset %s, whose limits are none', (name) => {
     const settings = { ...defaultSettings(), ...settingsOfPreset(name) };
     const asked = { faces: null, ratio: null, settings };
-    expect(faceTarget({ ...asked, limits: new Set() })).toEqual({ faces: null, ratio: 0.5 });
+    expect(faceTarget({ ...asked, named: new Set() })).toEqual({ faces: null, ratio: 0.5 });
     for (const limit of LIMITS)
-      expect(faceTarget({ ...asked, limits: new Set([limit]) }).ratio).toBe(settings[limit] > 0 ? null : 0.5);
+      expect(faceTarget({ ...asked, named: new Set([limit]) }).ratio).toBe(settings[limit] > 0 ? null : 0.5);
   });
 
   it('that is a limit is missed where it was asked for and is not kept', () => {

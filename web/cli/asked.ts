@@ -1,11 +1,11 @@
 /** What limber optimize is asked for, as the engine knows it. */
 
 import { OPTIONS } from '../engine/settings/options';
-import { LIMITS } from '../engine/stages/missed_targets';
+import { NAMED_TARGETS } from '../engine/stages/missed_targets';
 import type { AskedTargets } from '../engine/stages/missed_targets';
 import type { Arguments } from './arguments';
 
 export const askedOf = ({ faces, ratio, asked, settings }: Arguments): AskedTargets => ({
   ...{ faces, ratio, settings },
-  limits: new Set(LIMITS.filter((name) => asked.has(OPTIONS[name].flag))),
+  named: new Set(NAMED_TARGETS.filter((name) => asked.has(OPTIONS[name].flag))),
 });

@@ -16,11 +16,14 @@ const DEFAULT_RATIO = 0.5;
 /** Limits of which nothing is missed where a default or a preset sets them: they are guards then. */
 export const LIMITS = ['maxDeviation', 'minAngle', 'maxFrequencyError'] as const satisfies SettingName[];
 
+/** What is a target only where it was asked for by name. */
+export const NAMED_TARGETS = [...LIMITS, 'lods'] as const satisfies SettingName[];
+
 /** What was asked for. */
 export interface AskedTargets extends FaceTarget {
   settings: Settings;
-  /** the limits that were asked for by name */
-  limits: ReadonlySet<SettingName>;
+  /** those of NAMED_TARGETS that were asked for by name */
+  named: ReadonlySet<SettingName>;
 }
 
 /** How the reader knows what a sentence names. */
@@ -44,21 +47,21 @@ export interface MissedTargets {
 }
 
 /** The faces that are asked for; half of them where nothing else is a target. */
-export function faceTarget({ faces, ratio, settings, limits }: AskedTargets): FaceTarget {
-  const isAlone = faces === null && !LIMITS.some((name) => limits.has(name) && settings[name] > 0);
+export function faceTarget({ faces, ratio, settings, named }: AskedTargets): FaceTarget {
+  const isAlone = faces === null && !LIMITS.some((name) => named.has(name) && settings[name] > 0);
   return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
 }
 
 /** Whether the largest deviation was asked for: by default it is a guard, and stopping at it misses no target. */
-const asksForDeviation = ({ limits, settings }: Pick<AskedTargets, 'limits' | 'settings'>): boolean =>
-  limits.has('maxDeviation') && settings.maxDeviation > 0;
+const asksForDeviation = ({ named, settings }: Pick<AskedTargets, 'named' | 'settings'>): boolean =>
+  named.has('maxDeviation') && settings.maxDeviation > 0;
 
 export function missedTargets(
   asked: AskedTargets,
   output: FileOutput,
   { levels, nameOf }: TargetWords,
 ): MissedTargets {
-  const { settings, limits } = asked;
+  const { settings, named } = asked;
   const describe = (bodies: StoppedBody[], where = '') =>
     describeMiss(bodies, output.prepared(), { where, settings, nameOf });
   const guardOf = (bodies: StoppedBody[], where = '') =>
@@ -79,11 +82,14 @@ export function missedTargets(
   return {
     asked: [
       ...(isAsked ? [ofFile] : []),
-      ...ofLevels,
-      ...brokenLimits(settings, limits, found),
+      ...(named.has('lods') ? ofLevels : []),
+      ...brokenLimits(settings, named, found),
       ...(isAsked ? [guard] : []),
     ].filter(isPresent),
-    unasked: (isAsked ? [] : [...(hasCount ? [ofFile] : []), guard]).filter(isPresent),
+    unasked: [
+      ...(isAsked ? [] : [...(hasCount ? [ofFile] : []), guard]),
+      ...(named.has('lods') ? [] : ofLevels),
+    ].filter(isPresent),
   };
 }
 
@@ -112,11 +118,11 @@ const ROUNDING = 1.0001;
 /** A sentence for each limit that was asked for and that the result does not keep. */
 export function brokenLimits(
   { maxDeviation, maxFrequencyError }: Pick<Settings, 'maxDeviation' | 'maxFrequencyError'>,
-  limits: ReadonlySet<SettingName>,
+  named: ReadonlySet<SettingName>,
   found: { deviation: number; frequencyError: number },
 ): string[] {
   const isBroken = (name: SettingName, limit: number, value: number) =>
-    limits.has(name) && limit > 0 && value > ROUNDING * limit;
+    named.has(name) && limit > 0 && value > ROUNDING * limit;
   return [
     ...(isBroken('maxDeviation', maxDeviation, found.deviation)
       ? [`The surface deviates by ${found.deviation.toFixed(2)} %, not by at most ${maxDeviation} %`]

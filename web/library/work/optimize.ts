@@ -11,7 +11,7 @@ import type { FileRequest } from '../../engine/stages/file_request';
 import { requestFile } from '../../engine/stages/budget/file_targets';
 import type { FileRun } from '../../engine/stages/file_run';
 import { resultWarnings } from '../../engine/stages/file_warnings';
-import { faceTarget, LIMITS, missedTargets } from '../../engine/stages/missed_targets';
+import { faceTarget, missedTargets, NAMED_TARGETS } from '../../engine/stages/missed_targets';
 import type { AskedTargets, StoppedLevel } from '../../engine/stages/missed_targets';
 import { STAGES } from '../../engine/stages/stages';
 import { checkWritten } from '../../engine/stages/written_form';
@@ -113,7 +113,7 @@ export const finished = ({ core }: WorkSession, report: Report): Report => ({
 
 const askedOf = ({ settings }: WorkSession, { faces, ratio, ...given }: OptimizeRequest): AskedTargets => ({
   ...{ settings, faces: faces ?? null, ratio: ratio ?? null },
-  limits: new Set(LIMITS.filter((name) => given[name] !== undefined)),
+  named: new Set(NAMED_TARGETS.filter((name) => given[name] !== undefined)),
 });
 
 const writtenBodies = (file: FileRun, request: FileRequest): OptimizeReply['bodies'] =>
