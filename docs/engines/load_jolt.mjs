@@ -40,7 +40,7 @@ export function joltSoftBody(Jolt, body, objectLayer) {
     objectLayer,
   );
   // An iteration is a substep with one pass of XPBD, so that fewer of them make the body softer.
-  creation.mNumIterations = body.substeps;
+  creation.mNumIterations = body.substeps ?? 20;
   creation.mLinearDamping = body.damping ?? 0;
   creation.mFriction = body.friction ?? creation.mFriction;
   creation.mVertexRadius = body.collisionThickness ?? 0;

@@ -102,6 +102,10 @@ describe('the settings of a mesh that was read from its own file', () => {
     expect(await failureOf(() => solversFor(entry(), 0.01))).toBe(
       'The settings of "body" are for 1 m a unit, but here it is 0.01 m: give the --unit of the settings.',
     );
+    const finer = { ...entry(), original: { ...entry().original, vertices: 25, faces: 32 } };
+    expect(await failureOf(() => solversFor(finer))).toBe(
+      'The settings of "body" are for an original of 25 vertices and 32 faces, but this one has 9 vertices and 8 faces: name the mesh that they were made from.',
+    );
   });
 });
 

@@ -3,9 +3,11 @@
 import type { SimulatedSolver, SolverModel, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { faceCount, vertexCount } from '../core/mesh';
+import { counted } from '../core/words';
 import type { PreparedBody } from '../body/prepared_body';
 import { constraintVertices } from '../solvers/constraint_vertices';
 import { meshFacts } from '../solvers/mesh_facts';
+import type { MeshFacts } from '../solvers/mesh_facts';
 import { profileOf } from '../solvers/profiles';
 import type { SolverPair } from '../solvers/solver_pair';
 import { modelOf } from '../solvers/tuned_body';
@@ -26,13 +28,26 @@ export function solversOfSettings(
     throw new Error(
       `The settings of "${entry.name}" are for ${entry.unit} m a unit, but here it is ${unit} m: give the --unit of the settings.`,
     );
+  const facts = meshFacts(original, unit);
+  checkOriginal(entry, facts);
   const profile = profileOf(solver);
   const model = modelOf(profile, entry.mass.rule);
-  const constants = profile.constants(entry.original, meshFacts(original, unit));
+  const constants = profile.constants(entry.original, facts);
   return {
     original: { model: modelOf(profile, 'auto'), constants },
     result: solverOfEntry(entry, model, result),
   };
+}
+
+/** The parameters of an original stand for no other mesh. */
+function checkOriginal({ name, original }: BodySettings, { vertices, faces }: MeshFacts): void {
+  if (original.vertices === vertices && original.faces === faces) return;
+  const [wanted, found] = [original, { vertices, faces }].map(
+    (one) => `${counted(one.vertices, 'vertex', 'vertices')} and ${counted(one.faces, 'face')}`,
+  );
+  throw new Error(
+    `The settings of "${name}" are for an original of ${wanted}, but this one has ${found}: name the mesh that they were made from.`,
+  );
 }
 
 /** The entry of a body, of all levels the one that has its vertices and faces. */

@@ -36,9 +36,9 @@ interface TunedMesh {
 /**
  * The substeps of a step of 1/60 s at which a substep is no longer than 1 / omega of the fastest vibration, so that explicit steps
  * are stable and XPBD loses little. omega^2 is bounded by the largest sum of a row of M^-1 K, in blocks (Gershgorin): the true
- * one is smaller, mostly by less than half.
+ * one is smaller, mostly by less than half. Null where no number is enough, as where a triangle has no area.
  */
-export function substepsNeeded(tunedMesh: TunedMesh): number {
+export function substepsNeeded(tunedMesh: TunedMesh): number | null {
   const { mesh, tuned } = tunedMesh;
   const rows = new Float64Array(vertexCount(mesh));
   for (const { vertices, stiffness, norms } of constraintsOf(tunedMesh)) {
@@ -49,7 +49,8 @@ export function substepsNeeded(tunedMesh: TunedMesh): number {
     (most, row, v) => (tuned.masses[v] > 0 ? Math.max(most, row / tuned.masses[v]) : most),
     0,
   );
-  return Math.max(1, Math.ceil(STEP * Math.sqrt(largest)));
+  const needed = Math.max(1, Math.ceil(STEP * Math.sqrt(largest)));
+  return Number.isFinite(needed) ? needed : null;
 }
 
 function* constraintsOf({ mesh, model, constants, tuned }: TunedMesh): Generator<Constraint> {
