@@ -7,6 +7,8 @@ export const FILE_NOTES: MessageTable = {
   '{things}: the rest pose is used': '{things}: 静止時の姿勢を使用',
   '{skins} and {animations}: the rest pose is used': '{skins}、{animations}: 静止時の姿勢を使用',
   'default weights of morph targets': 'モーフターゲットの初期の重み',
+  'levels of detail: each keeps the same share of its faces, and what says when it is shown stays':
+    'LOD: 各レベルの面を同じ割合で残し、切り替えの条件は変えません',
   '{count} skin': 'スキン {count}',
   '{count} skins': 'スキン {count}',
   '{count} animation': 'アニメーション {count}',

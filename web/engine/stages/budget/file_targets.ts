@@ -1,6 +1,7 @@
 /** How many faces each body of a file may keep, of what is asked of the file as a whole. */
 
 import { allFaces } from '../../body/layers';
+import { hasLevels } from '../../document/facts/levels_of_detail';
 import { instanceScale } from '../../document/placements';
 import type { Settings } from '../../settings/options';
 import { errorCurveStage } from './error_curve';
@@ -27,16 +28,17 @@ export interface FileAsked extends FaceTarget {
 }
 
 /**
- * The request for all bodies of a file: by one queue of errors over the scene, or with `perBody` the same share of each. Needs the
- * history of every body. The page, the command line and the library all ask for files through this.
+ * The request for all bodies of a file: by one queue of errors over the scene, or with `perBody`, and where they are levels of detail
+ * of each other, the same share of each. Needs the history of every body. The page, the command line and the library all ask for files through this.
  */
 export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
   const { settings, fields, binding, own, ...target } = asked;
   const shared = file.usable.filter(({ i }) => !own?.has(i));
   const fewestFaces = fewestOfOnly(file, asked);
-  const share = settings.perBody
-    ? shareEach(file, shared, settings)
-    : shareScene(file, shared, { ...settings, fewestFaces });
+  const share =
+    settings.perBody || hasLevels(file.model)
+      ? shareEach(file, shared, settings)
+      : shareScene(file, shared, { ...settings, fewestFaces });
   const targetsFor = (asked: FaceTarget): number[] => {
     const targets = file.model.bodies.map((_, i) => own?.get(i) ?? 0);
     share(asked).forEach((faces, n) => (targets[shared[n].i] = faces));

@@ -1,0 +1,25 @@
+/** Levels of detail that a file has already: by the extension MSFT_lod, or nodes named NAME_LOD0, NAME_LOD1 and so on. */
+
+import type { Document } from '@gltf-transform/core';
+import type { OpenModel } from '../model';
+
+const NUMBERED = /^(.*)[_-]LOD(\d+)$/i;
+
+/** Whether meshes of the file are levels of detail of others. */
+export const hasLevels = ({ document, foreign }: Pick<OpenModel, 'document' | 'foreign'>): boolean =>
+  Boolean(foreign?.extensions.some(({ name }) => name === 'MSFT_lod')) || hasNumberedNodes(document);
+
+/** Whether nodes with meshes have one name and different numbers of levels. */
+function hasNumberedNodes(document: Document): boolean {
+  const levels = new Map<string, string>();
+  return document
+    .getRoot()
+    .listNodes()
+    .some((node) => {
+      const [, name, level] = (node.getMesh() && NUMBERED.exec(node.getName())) ?? [];
+      if (name === undefined) return false;
+      const other = levels.get(name) ?? level;
+      levels.set(name, other);
+      return other !== level;
+    });
+}
