@@ -3,6 +3,8 @@
 import { Logger, WebIO } from '@gltf-transform/core';
 import type { Document } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
+import { withMeshBoxes } from './write/draco_boxes';
+import type { DracoEncoder } from './write/draco_boxes';
 
 export const MESHOPT = 'EXT_meshopt_compression';
 /** The ratified name of the same format; files of this name are read and written under the other one. */
@@ -42,7 +44,8 @@ export async function createGltfWriter(document: Document, keepsCorners = false)
     const encoder = await loadMeshoptEncoder();
     io.registerDependencies({ 'meshopt.encoder': keepsCorners ? packedInOrder(encoder) : encoder });
   }
-  if (names.includes(DRACO)) io.registerDependencies({ 'draco3d.encoder': await loadDracoEncoder() });
+  if (names.includes(DRACO))
+    io.registerDependencies({ 'draco3d.encoder': withMeshBoxes(await loadDracoEncoder(), document) });
   return io;
 }
 
@@ -72,7 +75,7 @@ async function loadDracoDecoder(): Promise<unknown> {
   return createDecoder({ locateFile: () => address });
 }
 
-async function loadDracoEncoder(): Promise<unknown> {
+async function loadDracoEncoder(): Promise<DracoEncoder> {
   const { default: createEncoder } = await import('draco3dgltf/draco_encoder_gltf_nodejs.js');
   if (import.meta.env.SSR) return createEncoder();
   const { default: address } = await import('draco3dgltf/draco_encoder.wasm?url');

@@ -28,7 +28,9 @@ declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
 }
 
 declare module 'draco3dgltf/draco_encoder_gltf_nodejs.js' {
-  const createEncoder: (options?: { locateFile?: (name: string) => string }) => Promise<unknown>;
+  const createEncoder: (options?: {
+    locateFile?: (name: string) => string;
+  }) => Promise<import('./write/draco_boxes').DracoEncoder>;
   export default createEncoder;
 }
 

@@ -1,0 +1,93 @@
+/**
+ * Draco's encoder with one grid of positions for all primitives of a mesh. glTF-Transform asks for a grid of its own for each
+ * primitive, on which vertices that two of them share would part.
+ */
+
+import type { Document, Mesh } from '@gltf-transform/core';
+
+/** The cube of which a grid is made. */
+interface Box {
+  min: number[];
+  /** the length of its sides */
+  range: number;
+}
+
+interface MeshBuilder {
+  /** Returns the number of the attribute. */
+  AddFloatAttribute(mesh: unknown, kind: unknown, count: number, size: number, values: Float32Array): number;
+}
+
+interface ExpertEncoder {
+  SetAttributeQuantization(attribute: number, bits: number): void;
+  SetAttributeExplicitQuantization(
+    ...all: [attribute: number, bits: number, size: number, origin: number[], range: number]
+  ): void;
+}
+
+/** What of Draco's encoder is needed here. */
+export interface DracoEncoder {
+  MeshBuilder: new () => MeshBuilder;
+  ExpertEncoder: new (mesh: unknown) => ExpertEncoder;
+}
+
+/** The encoder for the positions of this document as they are. */
+export function withMeshBoxes(encoder: DracoEncoder, document: Document): DracoEncoder {
+  const boxes = boxesOf(document);
+  /** of the attribute that was added last; its grid is asked for next */
+  let last: { attribute: number; box: Box } | null = null;
+
+  class BoxedBuilder extends encoder.MeshBuilder {
+    override AddFloatAttribute(...all: Parameters<MeshBuilder['AddFloatAttribute']>): number {
+      const attribute = super.AddFloatAttribute(...all);
+      const box = boxes.get(all[4]);
+      last = box ? { attribute, box } : null;
+      return attribute;
+    }
+  }
+
+  class BoxedEncoder extends encoder.ExpertEncoder {
+    override SetAttributeQuantization(attribute: number, bits: number): void {
+      if (last?.attribute !== attribute) super.SetAttributeQuantization(attribute, bits);
+      else this.SetAttributeExplicitQuantization(attribute, bits, 3, last.box.min, last.box.range);
+    }
+  }
+
+  const own = { MeshBuilder: BoxedBuilder, ExpertEncoder: BoxedEncoder };
+  return Object.assign(Object.create(encoder) as DracoEncoder, own);
+}
+
+/** The box of each array of positions: that of its mesh, and of meshes that share an array with it. */
+function boxesOf(document: Document): ReadonlyMap<unknown, Box> {
+  const groups = new Map<Float32Array, Set<Float32Array>>();
+  for (const mesh of document.getRoot().listMeshes()) {
+    const own = positionsOf(mesh);
+    const group = new Set(own.flatMap((array) => [array, ...(groups.get(array) ?? [])]));
+    for (const array of group) groups.set(array, group);
+  }
+  return new Map(
+    [...new Set(groups.values())].flatMap((group) => {
+      const box = boxOf([...group]);
+      return [...group].map((array) => [array, box] as const);
+    }),
+  );
+}
+
+const positionsOf = (mesh: Mesh): Float32Array[] =>
+  mesh
+    .listPrimitives()
+    .map((primitive) => primitive.getAttribute('POSITION')?.getArray())
+    .filter((array) => array instanceof Float32Array);
+
+function boxOf(arrays: Float32Array[]): Box {
+  const [min, max] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
+  for (const array of arrays)
+    for (let i = 0; i < array.length; ++i) {
+      min[i % 3] = Math.min(min[i % 3], array[i]);
+      max[i % 3] = Math.max(max[i % 3], array[i]);
+    }
+  const range = Math.max(...max.map((value, c) => value - min[c]));
+  return { min, range: range > 0 ? range : 1 };
+}
