@@ -12,7 +12,7 @@ import type { OpenModel, SourceFile } from '../../web/engine/document/open';
 import { glbParts, withJson } from '../../web/engine/document/glb';
 import { validateFiles } from '../../web/engine/document/validate';
 import { exportFiles } from '../../web/engine/document/write/export_files';
-import { formOfName, outputForm, withSuffix } from '../../web/engine/document/write/output_form';
+import { formOfName, levelNames, outputForm } from '../../web/engine/document/write/output_form';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { failureOf, textFile } from './support/files';
 import { addMesh, addRichMesh, floats, glbFile, moveNode, primitiveOf, startDocument } from './support/gltf';
@@ -409,7 +409,7 @@ describe('the name of a file', () => {
     expect(() => outputForm('a.glb', 'obj', 'glb')).toThrow(
       'a.glb ends otherwise than .obj: give one of the two.',
     );
-    expect(withSuffix('a.b.gltf.zip', '_lod1')).toBe('a.b_lod1.gltf.zip');
+    expect(levelNames('a.b.gltf.zip', { lods: [0.5], lodStyle: 'files' })).toEqual(['a.b_lod1.gltf.zip']);
   });
 });
 

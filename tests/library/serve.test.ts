@@ -53,7 +53,7 @@ it('notes a target that is missed, as the command line warns of it, and knows se
     expect.stringMatching(/the next collapses would go beyond 1 %; maxDeviation 0 lifts this$/),
   ]);
   expect(await notesOf({ lods: [0.001] })).toEqual([
-    expect.stringMatching(/^lod1: ring stopped at \d+ faces, /),
+    expect.stringMatching(/^ring_lod1.glb: ring stopped at \d+ faces, /),
   ]);
 });
 

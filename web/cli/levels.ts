@@ -2,7 +2,7 @@
 
 import { basename } from 'node:path';
 import type { SourceFile } from '../engine/document/open';
-import { withSuffix } from '../engine/document/write/output_form';
+import { levelNames } from '../engine/document/write/output_form';
 import type { LevelReport } from '../engine/report/result_report';
 import type { StoppedBody } from '../engine/report/stop_report';
 import type { FileOutput } from '../engine/stages/file_output';
@@ -24,13 +24,7 @@ export interface WrittenLevels {
 
 /** The files of the levels beside OUT.glb: OUT_lod1.glb and so on. */
 export const levelFiles = (args: Pick<Arguments, 'operands' | 'settings'>): string[] =>
-  args.settings.lodStyle === 'files' ? levelNames(args) : [];
-
-/** What the levels are called: by files of their own, or by that of the first. */
-const levelNames = ({ operands, settings }: Pick<Arguments, 'operands' | 'settings'>): string[] =>
-  settings.lods.map((_, i) =>
-    settings.lodStyle === 'files' ? withSuffix(operands[1], `_lod${i + 1}`) : operands[1],
-  );
+  args.settings.lodStyle === 'files' ? levelNames(args.operands[1], args.settings) : [];
 
 /** Writes the levels of --lods by `save`, up to the first that fails; what is written stays. */
 export async function writeLevels(
@@ -39,7 +33,7 @@ export async function writeLevels(
   save: (path: string, files: SourceFile[]) => void,
 ): Promise<WrittenLevels> {
   const written: WrittenLevel[] = [];
-  for (const [i, file] of levelNames(args).entries()) {
+  for (const [i, file] of levelNames(args.operands[1], args.settings).entries()) {
     try {
       const { files, bodies, report } = await output.level(i, basename(file));
       if (files.length > 0) save(file, files);

@@ -78,7 +78,7 @@ export interface RunOptions {
 export interface Level {
   /** the bytes of its first file; null where the level is in the file of the first (`lodStyle`) */
   glb: Uint8Array | null;
-  /** all of its files, the first one first */
+  /** all of its files, the first one first, under names of their own: NAME_lod1.glb and so on */
   files: ModelFile[];
   report: LevelReport;
 }
@@ -103,7 +103,10 @@ export interface OptimizedDocument extends Optimized {
 export interface OptimizedGlb extends Optimized {
   /** the bytes that the command line writes under the same settings: the first file, of another format where `format` says so */
   glb: Uint8Array;
-  /** all files that are written, that one first; a glTF has a buffer and images, an OBJ its materials */
+  /**
+   * All files that are written, that one first; a glTF has a buffer and images, an OBJ its materials. They have the name of the
+   * model, `model` where it came without one, with the ending of the format. Those of the levels fit into the same folder.
+   */
   files: ModelFile[];
 }
 

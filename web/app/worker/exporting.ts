@@ -6,7 +6,7 @@ import { exportGlb, isSmoothed } from '../../engine/document/export';
 import { validateFiles } from '../../engine/document/validate';
 import { droppedByExport } from '../../engine/document/dropped';
 import { lostIn } from '../../engine/document/write/lost';
-import { outputForm, withSuffix } from '../../engine/document/write/output_form';
+import { levelNames, outputForm } from '../../engine/document/write/output_form';
 import { settingsAsUsed } from '../../engine/report/report';
 import { worstSurface } from '../../engine/report/result_report';
 import type { LevelReport } from '../../engine/report/result_report';
@@ -35,7 +35,7 @@ export async function exportAll(
   const { bytes } = files[0];
   const validation = await validateFiles(files);
   const exportTime = stopwatch();
-  const { levels, reports } = await exportLevels(output, name);
+  const { levels, reports } = await exportLevels(output, levelNames(name, settings));
   const levelsTime = stopwatch();
   const report = output.report({ ...settingsAsUsed(settings), faces: asked }, reports);
   report.timings = {
@@ -110,21 +110,20 @@ export async function drawLevels(file: FileRun, request: FileRequest): Promise<D
   return levels;
 }
 
-/** `name`: of the file of the first level. */
+/** `names`: what the levels are called. */
 async function exportLevels(
   output: FileOutput,
-  name: string,
+  names: string[],
 ): Promise<{ levels: ExportedLevel[]; reports: LevelReport[] }> {
   const levels: ExportedLevel[] = [];
   const reports: LevelReport[] = [];
-  for (let i = 0; i < output.levelCount; ++i) {
-    const own = output.hasLevelFiles ? withSuffix(name, `_lod${i + 1}`) : name;
-    const { files, faces, report } = await output.level(i, own);
+  for (const [i, name] of names.entries()) {
+    const { files, faces, report } = await output.level(i, name);
     if (files.length > 0) {
       const validation = await validateFiles(files);
-      levels.push({ name: own, faces, bytes: files[0].bytes, files, validation });
+      levels.push({ name, faces, bytes: files[0].bytes, files, validation });
     }
-    reports.push({ file: own, ...report });
+    reports.push({ file: name, ...report });
   }
   return { levels, reports };
 }

@@ -3,8 +3,10 @@
 import { describeResiduals } from '../../engine/body/health';
 import { describeAddedErrors, loadValidator } from '../../engine/document/validate';
 import { settingsAsUsed } from '../../engine/report/report';
+import type { OpenModel } from '../../engine/document/open';
 import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
+import { levelNames, resultName } from '../../engine/document/write/output_form';
 import { FileOutput } from '../../engine/stages/file_output';
 import { runSettings } from '../../engine/stages/file_request';
 import type { FileRequest } from '../../engine/stages/file_request';
@@ -20,9 +22,6 @@ import type { ModelFiles, OptimizeReply, OptimizeRequest } from '../protocol';
 import { nameOf } from './session';
 import type { WorkSession } from './session';
 import { checkTarget } from './settings';
-
-/** The format follows from the settings. */
-const NAME = 'model';
 
 /** Throws an Error where `faces` or `ratio` is no target. */
 export function checkTargets({ faces, ratio }: OptimizeRequest): void {
@@ -50,7 +49,9 @@ export async function optimizeModel(
   if (validate) loadValidator();
   const model = await session.open(source);
   const load = session.lap();
-  const { lost } = checkWritten(model, session.chosen(model), { name: NAME, settings });
+  // A document has no name.
+  const name = resultName(options.wantsBodies ? '' : nameOfModel(source, model), settings.format);
+  const { lost } = checkWritten(model, session.chosen(model), { name, settings });
   const file = session.prepare(model, { guides: true });
   const weld = session.lap();
   const asked = askedOf(session, options);
@@ -59,13 +60,13 @@ export async function optimizeModel(
   const output = new FileOutput(file, request);
   output.compute((run, own) => session.warn(resultWarnings(run, own)));
   session.lap();
-  const files = options.wantsBodies ? [] : await output.files(NAME);
+  const files = options.wantsBodies ? [] : await output.files(name);
   const bodies = options.wantsBodies ? writtenBodies(file, request) : [];
   const bindingFile = binding ? output.binding() : null;
   const settingsFile = settings.solver === 'none' ? null : output.settings();
   if (lost.length > 0) notes.push(`the result leaves out ${lost.join(', ')}`);
   const exportTime = session.lap();
-  const { levels, stopped } = await furtherLevels(output);
+  const { levels, stopped } = await furtherLevels(output, levelNames(name, settings));
   if (validate) notes.push(...(await addedErrors({ files, levels }, source)));
   const levelsTime = session.lap();
   const report = output.report(
@@ -86,6 +87,10 @@ export async function optimizeModel(
   };
 }
 
+/** The name that the caller knows the model by: that of the only file, which may be an archive, or of the main one. */
+const nameOfModel = (source: ModelFiles, { name }: OpenModel): string =>
+  source.length === 1 ? source[0].name : name;
+
 /** What the validator finds in the files of a result, and not in those of its source, as notes. */
 async function addedErrors(
   { files, levels }: Pick<OptimizeReply, 'files' | 'levels'>,
@@ -93,7 +98,7 @@ async function addedErrors(
 ): Promise<string[]> {
   const made = [
     { name: 'the result', all: files },
-    ...levels.map((level, i) => ({ name: levelName(i), all: level.files })),
+    ...levels.map(({ report, files: all }) => ({ name: report.file, all })),
   ];
   const notes: string[] = [];
   for (const { name, all } of made) {
@@ -102,8 +107,6 @@ async function addedErrors(
   }
   return notes;
 }
-
-const levelName = (number: number): string => `lod${number + 1}`;
 
 /** The report with the memory as it is at the end. */
 export const finished = ({ core }: WorkSession, report: Report): Report => ({
@@ -119,11 +122,14 @@ const askedOf = ({ settings }: WorkSession, { faces, ratio, ...given }: Optimize
 const writtenBodies = (file: FileRun, request: FileRequest): OptimizeReply['bodies'] =>
   file.runs.map((run, i) => run && run.get(STAGES.written, runSettings(request, i)));
 
-async function furtherLevels(output: FileOutput): Promise<{ levels: Level[]; stopped: StoppedLevel[] }> {
+/** Writes the levels under these names. */
+async function furtherLevels(
+  output: FileOutput,
+  names: string[],
+): Promise<{ levels: Level[]; stopped: StoppedLevel[] }> {
   const [levels, stopped]: [Level[], StoppedLevel[]] = [[], []];
-  for (let i = 0; i < output.levelCount; ++i) {
-    const { files, bodies, report } = await output.level(i, NAME);
-    const file = levelName(i);
+  for (const [i, file] of names.entries()) {
+    const { files, bodies, report } = await output.level(i, file);
     levels.push({ glb: files[0]?.bytes ?? null, files, report: { file, ...report } });
     stopped.push({ file, bodies });
   }

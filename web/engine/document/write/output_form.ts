@@ -55,8 +55,24 @@ export const mainName = (name: string, { format, isZipped }: OutputForm): string
   isZipped ? `${name.replace(/(\.(glb|gltf|obj|ply))?\.zip$/i, '')}.${format}` : name;
 
 /** The name with `suffix` before its ending or endings. */
-export const withSuffix = (name: string, suffix: string): string =>
+const withSuffix = (name: string, suffix: string): string =>
   name.replace(/(\.(glb|gltf|obj|ply))?(\.zip)?$/i, `${suffix}$&`);
+
+/** What further levels of detail are called beside a file: by files of their own, NAME_lod1 and so on, or by that file. */
+export const levelNames = (
+  name: string,
+  { lods, lodStyle }: { lods: readonly number[]; lodStyle: LevelStyle },
+): string[] => lods.map((_, i) => (lodStyle === 'files' ? withSuffix(name, `_lod${i + 1}`) : name));
+
+/**
+ * The name of the result of a model that came under the name `input`: the base name of that, `model` where it has none, with the
+ * ending of the format. `auto` is a GLB.
+ */
+export function resultName(input: string, choice: FormatChoice): string {
+  const file = input.split(/[\\/]/).pop()!;
+  const stem = file.replace(/(\.(glb|gltf|obj|stl|ply|off))?(\.zip)?$/i, '') || 'model';
+  return `${stem}.${choice === 'auto' ? 'glb' : choice}`;
+}
 
 /** Throws an Error with one sentence where the format cannot have what is asked for. `levels`: further levels of detail. */
 export function checkForm(
