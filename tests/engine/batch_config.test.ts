@@ -93,7 +93,7 @@ describe('configurations', () => {
     ['{"schema":"limber-batch/1","options":{"threads":2}}', /threads is about the machine/],
     [
       '{"schema":"limber-batch/1","overrides":[{"files":"a","options":{"fit":"x"}}]}',
-      /^b\.json: overrides\[0\]\.options: fit is x: give one of surface/,
+      /^b\.json: overrides\[0\]\.options: fit is "x": give one of surface/,
     ],
     ['{"schema":"limber-batch/1","overrides":[{"files":[],"options":{}}]}', /files is empty/],
     [

@@ -1,7 +1,8 @@
 /** What callers of the library give as models. */
 
+import { Document } from '@gltf-transform/core';
 import { expect, it } from 'vitest';
-import { filesOf } from '../../web/library/models';
+import { filesOf, isDocument } from '../../web/library/models';
 import { LimberError } from '../../web/library/options';
 import type { Model } from '../../web/library/options';
 
@@ -12,4 +13,10 @@ it('are files with a name and bytes; what is none is told by its number, and is 
     await expect(filesOf([file, wrong] as unknown as Model)).rejects.toThrow(
       new LimberError('File 2 of the model is none: give its name, and its bytes as a Uint8Array.'),
     );
+});
+
+it('are documents only with a graph and a root of glTF-Transform', async () => {
+  expect(isDocument(new Document())).toBe(true);
+  for (const other of [{ getRoot: () => {} }, { getRoot: () => {}, getGraph: () => {} }, null, 'chair.glb'])
+    await expect(filesOf(other as unknown as Model)).rejects.toThrow(/^There is no model: give /);
 });

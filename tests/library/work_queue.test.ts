@@ -42,3 +42,18 @@ it('starts later workers from the folder that the first call has named', async (
   await workQueue().run('inspect', [], {}, {});
   expect(startWorker.mock.calls.map(([, { assets }]) => assets as string)).toEqual(['/limber/', '/limber/']);
 });
+
+it('tells in a sentence that a call cannot be sent, which is no error of the library', async () => {
+  startWorker.mockImplementationOnce(async () => ({
+    core: { wasmFolder: '' },
+    post: (request: object) => void structuredClone(request),
+    keepAlive: () => {},
+    terminate,
+  }));
+  const options = { young: () => 1 } as object;
+  await expect(workQueue().run('inspect', [], options, {})).rejects.toMatchObject({
+    name: 'LimberError',
+    isInternal: false,
+    message: expect.stringMatching(/^The call cannot be sent to the worker: give /) as string,
+  });
+});

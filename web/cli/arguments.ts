@@ -3,12 +3,14 @@
 import { parseArgs } from 'node:util';
 import { coreMemory } from '../engine/core/memory_size';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
-import { OPTIONS, checkSettings, settingsOf } from '../engine/settings/options';
+import { checkSettings, OPTIONS, settingsOf, SOLVER_SETTINGS } from '../engine/settings/options';
 import type { Note, Settings } from '../engine/settings/options';
 import { PRESET_NAMES, settingsOfPreset } from '../engine/settings/presets';
 import type { PresetName } from '../engine/settings/presets';
 import { readNumber } from '../engine/settings/kinds';
 import { describeFormerWords, readSettings } from '../engine/settings/setting_text';
+import { FACE_COUNT, FACE_SHARE } from '../engine/settings/targets';
+import type { ValueRule } from '../engine/settings/targets';
 import { SOLVER_NAMES } from '../engine/solvers/profiles';
 import { engineFromFile, fileOfEngine } from './engine_file';
 import { UsageError } from './failure';
@@ -83,8 +85,8 @@ export function parseArguments(words: string[]): Arguments | Question {
     operands,
     settings,
     formerWords: describeFormerWords(settingsOf(engineCommand(command)), (flag) => values.get(flag)),
-    faces: readTarget(values, 'faces', 'a whole number of at least 1', (n) => n >= 1 && Number.isInteger(n)),
-    ratio: readTarget(values, 'ratio', 'a number above 0 and up to 1', (n) => n > 0 && n <= 1),
+    faces: readTarget(values, 'faces', FACE_COUNT),
+    ratio: readTarget(values, 'ratio', FACE_SHARE),
     fields: values.has('fields'),
     shapes: values.get('shapes') ?? null,
     bind: values.get('bind') ?? null,
@@ -210,7 +212,8 @@ function readLikeInput(values: Map<string, string>): void {
 /** What is asked of a solver needs one; a command that tunes needs a file for what it finds. */
 function checkSolverFlags(command: Command, { solver }: Settings, values: Map<string, string>): void {
   if (solver === 'none') {
-    const flags = ['engine', 'tune', 'bend-ratio', 'mass', ...(command === 'simulate' ? [] : ['settings'])];
+    const ofSolver = SOLVER_SETTINGS.map((name) => OPTIONS[name].flag);
+    const flags = [...ofSolver, ...(command === 'simulate' ? [] : ['settings'])];
     const flag = flags.find((name) => values.has(name));
     if (command === 'tune' || flag !== undefined)
       throw new UsageError(
@@ -253,13 +256,12 @@ function readFormat(text: string | undefined): string | null {
 function readTarget(
   values: Map<string, string>,
   name: string,
-  range: string,
-  isAllowed: (value: number) => boolean,
+  { isAllowed, words }: ValueRule,
 ): number | null {
   const text = values.get(name);
   if (text === undefined) return null;
   const value = readNumber(text);
   if (typeof value !== 'number' || !isAllowed(value))
-    throw new UsageError(`--${name} is ${text}: give ${range}.`);
+    throw new UsageError(`--${name} is ${text}: give ${words}.`);
   return value;
 }

@@ -1,6 +1,7 @@
 /** The calls of the library. Each is worked on in one worker, in the order of the calls. */
 
 import type { Document } from '@gltf-transform/core';
+import { checkOptions, checkRun } from './arguments';
 import { applyBodies, filesOf, isDocument } from './models';
 import type {
   CommonOptions,
@@ -43,6 +44,7 @@ export async function optimize(
   options: OptimizeOptions = {},
   run: RunOptions = {},
 ): Promise<OptimizedDocument | OptimizedGlb> {
+  checkOptions(options);
   const wantsBodies = isDocument(model);
   const { files, bodies, ...others } = await work('optimize', [model], { ...options, wantsBodies }, run);
   if (!wantsBodies) return { glb: files[0].bytes, files, ...others };
@@ -61,12 +63,13 @@ export function limber(options: OptimizeOptions = {}, run: RunOptions = {}) {
 }
 
 /** Finds the parameters of a solver with which `coarse`, any coarse mesh of the original, moves like it. */
-export const tune = (
+export const tune: (
   original: Model,
   coarse: Model,
   options: TuneOptions,
-  run: RunOptions = {},
-): Promise<TuneResult> => work('tune', [original, coarse], options, run);
+  run?: RunOptions,
+) => Promise<TuneResult> = (original, coarse, options: Partial<TuneOptions> = {}, run = {}) =>
+  work('tune', [original, coarse], options, run);
 
 /** Finds the frequencies at which the bodies deform by themselves. */
 export const modes = (model: Model, options: ModesOptions = {}, run: RunOptions = {}): Promise<ModesResult> =>
@@ -101,6 +104,8 @@ async function work<Name extends CommandName>(
   options: Commands[Name]['options'],
   run: RunOptions,
 ): Promise<Commands[Name]['reply']> {
+  checkOptions(options);
+  checkRun(run);
   run.signal?.throwIfAborted();
   const files = await Promise.all(models.map(filesOf));
   return workQueue().run(command, files, options, run);

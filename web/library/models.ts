@@ -13,8 +13,11 @@ import type { ModelFiles, OptimizeReply } from './protocol';
 const COMPRESSED = /(draco|meshopt)/i;
 
 /** Documents may come from another copy of glTF-Transform. */
-export const isDocument = (model: Model): model is Document =>
-  typeof (model as Partial<Document> | null)?.getRoot === 'function';
+export function isDocument(model: unknown): model is Document {
+  const { getRoot, getGraph } = (model ?? {}) as Partial<Document>;
+  if (typeof getRoot !== 'function' || typeof getGraph !== 'function') return false;
+  return (model as Document).getRoot()?.propertyType === PropertyType.ROOT;
+}
 
 /** Throws LimberError where it is no model. */
 export async function filesOf(model: Model): Promise<ModelFiles> {

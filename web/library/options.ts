@@ -44,10 +44,10 @@ export interface ModesOptions extends CommonOptions {
 }
 
 export interface SimulateOptions extends CommonOptions {
-  /** the text of a binding file of `optimize`, which pins are carried over by */
-  binding?: string;
-  /** the text of a settings file of `optimize` or `tune` */
-  settingsFile?: string;
+  /** the text of a binding file of `optimize`, which pins are carried over by; null, as of a result without one: none */
+  binding?: string | null;
+  /** the text of a settings file of `optimize` or `tune`; null, as of a result without one: none */
+  settingsFile?: string | null;
   /** write the motion as morph targets with an animation; `recording` of the result has the GLB */
   records?: boolean;
 }

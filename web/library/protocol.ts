@@ -33,7 +33,7 @@ export interface OptimizeReply extends Omit<OptimizedGlb, 'glb'> {
 /** Per command its options and its reply. */
 export interface Commands {
   optimize: { options: OptimizeRequest; reply: OptimizeReply };
-  tune: { options: TuneOptions; reply: TuneResult };
+  tune: { options: Partial<TuneOptions>; reply: TuneResult };
   modes: { options: ModesOptions; reply: ModesResult };
   compare: { options: CommonOptions; reply: Reported };
   simulate: { options: SimulateOptions; reply: SimulateResult };

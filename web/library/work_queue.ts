@@ -72,7 +72,11 @@ class WorkQueue {
     const worker = await this.worker;
     if (this.running !== work) return;
     worker.keepAlive(true);
-    worker.post({ command, models, options, core: worker.core });
+    try {
+      worker.post({ command, models, options, core: worker.core });
+    } catch (error) {
+      throw isUnclonable(error) ? new LimberError(UNCLONABLE) : error;
+    }
   }
 
   /** A core keeps its memory and its build, so that one for another number of threads is another worker's. */
@@ -132,8 +136,7 @@ class WorkQueue {
 
   private fail(work: Work, error: unknown): void {
     this.end();
-    const message = error instanceof Error ? error.message : String(error);
-    work.reject(errorOf({ message, setting: null, isInternal: true }));
+    work.reject(error instanceof LimberError ? error : internalError(error));
     this.next();
   }
 
@@ -151,6 +154,15 @@ class WorkQueue {
     this.worker = null;
   }
 }
+
+/** Whether a message could not be sent because of what is in it. */
+const isUnclonable = (error: unknown): boolean => (error as Partial<Error> | null)?.name === 'DataCloneError';
+
+const UNCLONABLE =
+  'The call cannot be sent to the worker: give options that are plain numbers, texts and lists, and bytes that have not been transferred.';
+
+const internalError = (error: unknown): LimberError =>
+  new LimberError(error instanceof Error ? error.message : String(error), null, true);
 
 const errorOf = ({ message, setting, isInternal }: Failure): LimberError =>
   new LimberError(message, setting, isInternal);

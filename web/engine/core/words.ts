@@ -19,6 +19,19 @@ export function excerpt(text: string): string {
   return `${text.slice(0, QUOTED).replace(/[\ud800-\udbff]$/, '')}...`;
 }
 
+/** A value of a program, as a sentence quotes it. */
+export function quotedValue(value: unknown): string {
+  if (Array.isArray(value)) return excerpt(`[${value.map(quotedEntry).join(', ')}]`);
+  return quotedEntry(value);
+}
+
+function quotedEntry(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(excerpt(value));
+  if (typeof value === 'function') return 'a function';
+  if (typeof value === 'object' && value !== null) return Array.isArray(value) ? 'a list' : 'an object';
+  return String(value);
+}
+
 /** A value from a file of JSON, as a sentence quotes it. */
 export const quotedJson = (value: unknown): string =>
   typeof value === 'string' ? JSON.stringify(excerpt(value)) : excerpt(JSON.stringify(value));

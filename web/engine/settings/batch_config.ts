@@ -10,6 +10,8 @@ import { matchesPath } from './path_pattern';
 import { changedSettings } from './setting_text';
 import { OPTIONS } from './table';
 import type { SettingName, Settings } from './table';
+import { FACE_COUNT, FACE_SHARE, SWITCH } from './targets';
+import type { ValueRule } from './targets';
 
 export const BATCH_SCHEMA = 'limber-batch/1';
 
@@ -52,19 +54,10 @@ export interface BatchConfig {
 
 export const EMPTY_CONFIG: BatchConfig = { options: {}, overrides: [], exclude: [] };
 
-const isSwitch = (value: unknown) => typeof value === 'boolean';
-const SWITCH = { isAllowed: isSwitch, words: 'true or false' };
-
 /** Which values targets have, in words too. */
-const TARGETS: Record<keyof AssetTargets, { isAllowed: (value: unknown) => boolean; words: string }> = {
-  faces: {
-    isAllowed: (value) => Number.isInteger(value) && Number(value) >= 1,
-    words: 'a whole number of at least 1',
-  },
-  ratio: {
-    isAllowed: (value) => typeof value === 'number' && value > 0 && value <= 1,
-    words: 'a number above 0 and up to 1',
-  },
+const TARGETS: Record<keyof AssetTargets, ValueRule> = {
+  faces: FACE_COUNT,
+  ratio: FACE_SHARE,
   soft: SWITCH,
   fields: SWITCH,
   reports: SWITCH,
@@ -173,7 +166,7 @@ function readSettingValue(name: string, given: unknown, where: string): unknown 
     throw new Error(`${where}: ${name} is about the machine: give it on the command line.`);
   const value = given === 'inf' ? Infinity : given;
   try {
-    checkSetting(name as SettingName, value);
+    checkSetting(name as SettingName, value, 'json');
   } catch (error) {
     if (!(error instanceof SettingError)) throw error;
     throw new Error(`${where}: ${wordSentence(name, error.sentence, (other) => other)}`);

@@ -1,18 +1,25 @@
 /** Whether settings are such as can be worked with, each by itself and together. */
 
-import { counted, excerpt, quotedJson } from '../core/words';
+import { counted, excerpt, quotedJson, quotedValue } from '../core/words';
 import { engineValues } from './engine_text';
 import { SettingError } from './errors';
 import { rulesOf } from './kinds';
+import type { Notation } from './kinds';
 import { resolveModes } from './methods';
 import { OPTIONS, SETTING_NAMES } from './table';
 import type { SettingName, Settings } from './table';
 import { profileOf } from '../solvers/profiles';
 import type { OptionSpec } from './types';
 
-/** Throws SettingError, whose sentence has the first value that is refused, what is allowed, and the cure. */
-export function checkSettings(settings: Settings): void {
-  for (const setting of SETTING_NAMES) checkSetting(setting, settings[setting]);
+/** Settings that do nothing without a solver. */
+export const SOLVER_SETTINGS = ['engine', 'tune', 'bendRatio', 'massRule'] as const satisfies SettingName[];
+
+/**
+ * Throws SettingError, whose sentence has the first value that is refused, what is allowed, and the cure. `notation`: where values come
+ * from.
+ */
+export function checkSettings(settings: Settings, notation: Notation = 'text'): void {
+  for (const setting of SETTING_NAMES) checkSetting(setting, settings[setting], notation);
   checkModes(settings);
   checkSolver(settings);
 }
@@ -56,18 +63,25 @@ function checkSolver({ solver, engine, tune, massRule }: Settings): void {
 }
 
 /** Throws SettingError with the value, what is allowed, and the default. */
-export function checkSetting(setting: SettingName, value: unknown): void {
+export function checkSetting(setting: SettingName, value: unknown, notation: Notation = 'text'): void {
   const option = OPTIONS[setting];
   const rules = rulesOf(option);
   if (!rules.isAllowed(value, option)) {
-    const allowed = `${rules.describe(option)} (default: ${describeDefault(option)})`;
-    throw new SettingError(setting, `is ${shownValue(value)}: give ${allowed}.`);
+    const allowed = `${rules.describe(option, notation)} (default: ${describeDefault(option)})`;
+    throw new SettingError(setting, `is ${SHOWN[notation](value)}: give ${allowed}.`);
   }
   rules.parse?.(String(value), setting);
 }
 
-/** Lists as they are typed; objects, which only JSON can give, as JSON. */
-function shownValue(value: unknown): string {
+const SHOWN: Record<Notation, (value: unknown) => string> = {
+  text: shownText,
+  // "inf" has been read as the number that it stands for.
+  json: (value) => (typeof value === 'number' ? String(value) : quotedJson(value)),
+  script: quotedValue,
+};
+
+/** Lists as they are typed; objects, which nobody can type, as JSON. */
+function shownText(value: unknown): string {
   const isList = Array.isArray(value) && value.every((one) => typeof one !== 'object');
   if (isList) return excerpt(value.join(',')) || 'an empty list';
   return typeof value === 'object' ? quotedJson(value) : excerpt(String(value));

@@ -7,6 +7,9 @@ import { parsePins } from './pin_text';
 import type { SettingName } from './table';
 import type { OptionKind, OptionOf, OptionSpec } from './types';
 
+/** How a refused value and the allowed ones are written: as words of command lines and links, in JSON, or in a program. */
+export type Notation = 'text' | 'json' | 'script';
+
 interface KindRules<Kind extends OptionKind> {
   /** The value that a text stands for. Text that is no number comes back as it is: then `isAllowed` is false. */
   read(text: string): unknown;
@@ -14,7 +17,7 @@ interface KindRules<Kind extends OptionKind> {
   /** Throws SettingError where an allowed text has not the form of its kind. */
   parse?(text: string, setting: SettingName): unknown;
   /** the allowed values in words: "a number from 0 to 1" */
-  describe(option: OptionOf<Kind>): string;
+  describe(option: OptionOf<Kind>, notation: Notation): string;
   /** what stands for a value in the help */
   placeholder(option: OptionOf<Kind>): string;
 }
@@ -38,26 +41,38 @@ const isWholeWithin = (value: unknown, range: { min: number; max: number }): boo
 const areDistinct = (entries: unknown[]): boolean =>
   entries.length > 0 && new Set(entries).size === entries.length;
 
-const describeRange = (noun: string, { min, max }: { min: number; max: number }): string =>
-  max === Infinity ? `${noun} of at least ${min}, or inf` : `${noun} from ${min} to ${max}`;
+const INFINITY: Record<Notation, string> = { text: 'inf', json: '"inf"', script: 'Infinity' };
+
+const describeRange = (
+  noun: string,
+  { min, max }: { min: number; max: number },
+  notation: Notation,
+): string =>
+  max === Infinity ? `${noun} of at least ${min}, or ${INFINITY[notation]}` : `${noun} from ${min} to ${max}`;
+
+/** What a text says, where another value than a text is possible. */
+const describeText =
+  (words: string) =>
+  (_: unknown, notation: Notation): string =>
+    notation === 'text' ? words : `${words}, as a text`;
 
 const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
   choice: {
     read: asItIs,
-    isAllowed: (value, { choices }) => choices.includes(String(value)),
+    isAllowed: (value, { choices }) => typeof value === 'string' && choices.includes(value),
     describe: ({ choices }) => `one of ${choices.join(', ')}`,
     placeholder: ({ choices }) => choices.join('|'),
   },
   integer: {
     read: readNumber,
     isAllowed: isWholeWithin,
-    describe: (option) => describeRange('a whole number', option),
+    describe: (option, notation) => describeRange('a whole number', option, notation),
     placeholder: () => 'N',
   },
   number: {
     read: readNumber,
     isAllowed: isWithin,
-    describe: (option) => describeRange('a number', option),
+    describe: (option, notation) => describeRange('a number', option, notation),
     placeholder: () => 'N',
   },
   modes: {
@@ -66,53 +81,59 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
       Array.isArray(value)
         ? areDistinct(value) && value.every((entry) => isWholeWithin(entry, option))
         : value === 'auto' || value === 'all',
-    describe: ({ min, max }) => `auto, all, or numbers from ${min} to ${max} with commas`,
+    describe: ({ min, max }, notation) =>
+      notation === 'text'
+        ? `auto, all, or numbers from ${min} to ${max} with commas`
+        : `"auto", "all", or a list of different whole numbers from ${min} to ${max}`,
     placeholder: () => 'auto|all|K[,K...]',
   },
   numbers: {
     read: readList,
     isAllowed: (value, option) => Array.isArray(value) && value.every((entry) => isWithin(entry, option)),
-    describe: ({ min, max }) => `numbers from ${min} to ${max} with commas`,
+    describe: ({ min, max }, notation) =>
+      notation === 'text'
+        ? `numbers from ${min} to ${max} with commas`
+        : `a list of numbers from ${min} to ${max}`,
     placeholder: () => 'N[,N...]',
   },
   pins: {
     read: asItIs,
     isAllowed: isText,
     parse: (text, setting) => parsePins(text, setting),
-    describe: () => 'terms joined by +',
+    describe: describeText('terms joined by +'),
     placeholder: () => 'SPEC',
   },
   paint: {
     read: asItIs,
     isAllowed: isText,
     parse: (text) => parsePaint(text),
-    describe: () => 'what the brush of the page writes',
+    describe: describeText('what the brush of the page writes'),
     placeholder: () => 'TEXT',
   },
   colliders: {
     read: asItIs,
     isAllowed: isText,
     parse: (text) => parseColliders(text),
-    describe: () => 'terms joined by +',
+    describe: describeText('terms joined by +'),
     placeholder: () => 'SPEC',
   },
   engine: {
     read: asItIs,
     isAllowed: isText,
     parse: (text) => parseEngine(text),
-    describe: () => 'name=value with commas',
+    describe: describeText('name=value with commas'),
     placeholder: () => 'FILE|NAME=VALUE,...',
   },
   name: {
     read: asItIs,
     isAllowed: isText,
-    describe: () => 'the name of an attribute',
+    describe: describeText('the name of an attribute'),
     placeholder: () => 'NAME',
   },
   pattern: {
     read: asItIs,
     isAllowed: isText,
-    describe: () => 'names, in which * stands for any letters and ? for one',
+    describe: describeText('names, in which * stands for any letters and ? for one'),
     placeholder: () => 'GLOB',
   },
   switch: {

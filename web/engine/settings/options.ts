@@ -1,6 +1,6 @@
 /** The settings, as other folders see them; the forms of texts are in pin_text.ts, paint_text.ts, collider_text.ts and engine_text.ts. */
 
-export { checkSetting, checkSettings } from './check';
+export { checkSetting, checkSettings, SOLVER_SETTINGS } from './check';
 export { COMMAND_DEFAULTS, settingsOf } from './commands';
 export { SettingError, wordNote, wordSentence } from './errors';
 export type { Note, Sentence } from './errors';

@@ -5,6 +5,7 @@ import { describeAddedErrors, loadValidator } from '../../engine/document/valida
 import { settingsAsUsed } from '../../engine/report/report';
 import type { OpenModel } from '../../engine/document/open';
 import type { Report } from '../../engine/report/report';
+import { SettingError } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { levelNames, resultName } from '../../engine/document/write/output_form';
 import { FileOutput } from '../../engine/stages/file_output';
@@ -21,21 +22,19 @@ import type { Level } from '../options';
 import type { ModelFiles, OptimizeReply, OptimizeRequest } from '../protocol';
 import { nameOf } from './session';
 import type { WorkSession } from './session';
-import { checkTarget } from './settings';
 
-/** Throws an Error where `faces` or `ratio` is no target. */
-export function checkTargets({ faces, ratio }: OptimizeRequest): void {
-  const isCount = Number.isInteger(faces) && faces! >= 1;
-  checkTarget('faces', faces, isCount, 'a whole number of at least 1');
-  checkTarget('ratio', ratio, ratio! > 0 && ratio! <= 1, 'a number above 0 and up to 1');
-}
-
-/** Throws an Error where the levels would go into the file of the first one: a document has no such file. */
-function checkLevels({ lods, lodStyle }: Settings, { wantsBodies }: OptimizeRequest): void {
-  if (wantsBodies && lods.length > 0 && lodStyle !== 'files')
-    throw new Error(
-      `lodStyle is "${lodStyle}", but levels of a document are files: leave it out, or give the bytes of a model.`,
-    );
+/** Throws SettingError where something is asked of a file that a document does not become. Its further levels are files. */
+function checkDocument({ lods, lodStyle, format, compress }: Settings): void {
+  const other = 'leave it out, or give the bytes of a model.';
+  if (lods.length > 0) {
+    if (lodStyle !== 'files')
+      throw new SettingError('lodStyle', `is "${lodStyle}", but levels of a document are files: ${other}`);
+    return;
+  }
+  if (format !== 'auto')
+    throw new SettingError('format', `is "${format}", but a document is no file: ${other}`);
+  if (compress !== 'like-input' && compress !== 'none')
+    throw new SettingError('compress', `is "${compress}", but a document is not compressed: ${other}`);
 }
 
 export async function optimizeModel(
@@ -44,7 +43,7 @@ export async function optimizeModel(
   options: OptimizeRequest,
 ): Promise<OptimizeReply> {
   const { settings, notes } = session;
-  checkLevels(settings, options);
+  if (options.wantsBodies) checkDocument(settings);
   const { fields = false, bind: binding = false, validate = true } = options;
   if (validate) loadValidator();
   const model = await session.open(source);

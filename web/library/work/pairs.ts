@@ -86,8 +86,7 @@ export async function tuneModel(session: WorkSession, [first, second]: ModelFile
 }
 
 function tuneFile({ core, settings }: WorkSession, file: FileRun, others: PreparedBody[]): TunedBody[] {
-  const asked = tuneSettings(settings);
-  if (!asked) throw new Error('tune needs a solver: name one as "solver".');
+  const asked = tuneSettings(settings)!; // the settings are checked
   return file.usable.map(({ run }, i) => {
     file.announce(run);
     const prepared = run.get(STAGES.prepared, settings);

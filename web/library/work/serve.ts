@@ -5,7 +5,7 @@ import { loadCore } from '../../engine/core/load_core';
 import { SettingError, wordSentence } from '../../engine/settings/options';
 import type { Failure, Commands, CommandName, ModelFiles, WorkMessage, WorkRequest } from '../protocol';
 import { findModes, inspectModel } from './modes';
-import { checkTargets, optimizeModel } from './optimize';
+import { optimizeModel } from './optimize';
 import { compareModels, tuneModel } from './pairs';
 import { WorkSession } from './session';
 import { settingsFrom } from './settings';
@@ -50,7 +50,6 @@ export class Server {
 
   private async run({ command, models, options, core: address }: WorkRequest) {
     const settings = settingsFrom(command, options);
-    if (command === 'optimize') checkTargets(options as Commands['optimize']['options']);
     const onProgress = (progress: Progress) => this.onProgress(progress);
     this.core ??= await loadCore({ threads: settings.threads, onProgress, ...address });
     const session = new WorkSession(this.core, settings, (progress) => this.send({ progress }));

@@ -1,38 +1,77 @@
 /** The options of a call as settings, checked. */
 
+import { quotedValue } from '../../engine/core/words';
 import {
+  checkSetting,
   checkSettings,
   COMMAND_DEFAULTS,
   defaultSettings,
+  OPTIONS,
   SETTING_NAMES,
+  SettingError,
   settingsOf,
+  SOLVER_SETTINGS,
 } from '../../engine/settings/options';
 import type { Command, SettingName, Settings } from '../../engine/settings/options';
+import { FACE_COUNT, FACE_SHARE, SWITCH } from '../../engine/settings/targets';
+import type { ValueRule } from '../../engine/settings/targets';
+import { SOLVER_NAMES } from '../../engine/solvers/profiles';
+
+const textOf = (file: string): ValueRule => ({
+  isAllowed: (value) => typeof value === 'string' || value === null,
+  words: `the text of a ${file}, or null`,
+});
 
 /** What calls take besides settings. */
-const OTHER_OPTIONS: Record<Command, readonly string[]> = {
-  optimize: ['faces', 'ratio', 'fields', 'bind', 'validate', 'wantsBodies'],
-  tune: [],
-  modes: ['writesShapes'],
-  compare: [],
-  simulate: ['binding', 'settingsFile', 'records'],
-  inspect: [],
+const OTHER_OPTIONS: Record<Command, Readonly<Record<string, ValueRule>>> = {
+  optimize: {
+    faces: FACE_COUNT,
+    ratio: FACE_SHARE,
+    fields: SWITCH,
+    bind: SWITCH,
+    validate: SWITCH,
+    wantsBodies: SWITCH,
+  },
+  tune: {},
+  modes: { writesShapes: SWITCH },
+  compare: {},
+  simulate: { binding: textOf('binding file'), settingsFile: textOf('settings file'), records: SWITCH },
+  inspect: {},
 };
 
 /**
  * The settings of a command over the defaults of the method that they name. An option that is undefined is not given. Throws an
- * Error for an option that the command does not take, and SettingError for a value that is refused.
+ * Error for an option that the command does not take or that is no setting, and SettingError for a setting that is refused.
  */
 export function settingsFrom(command: Command, options: object): Settings {
   const taken: readonly string[] = settingsOf(command);
   const given = Object.entries(options).filter(([, value]) => value !== undefined);
-  for (const [name] of given)
-    if (!taken.includes(name) && !OTHER_OPTIONS[command].includes(name)) throw unknownOption(command, name);
+  for (const [name, value] of given) if (!taken.includes(name)) checkOther(command, name, value);
   const chosen = Object.fromEntries(given.filter(([name]) => taken.includes(name))) as Partial<Settings>;
   const base = { ...COMMAND_DEFAULTS[command], ...chosen };
+  // The defaults of the others follow from it.
+  if (base.method !== undefined) checkSetting('method', base.method, 'script');
   const settings: Settings = { ...defaultSettings(base.method), ...base };
-  checkSettings(settings);
+  checkSettings(settings, 'script');
+  checkSolver(command, settings);
   return settings;
+}
+
+/** Throws an Error where the command does not take the option, or not with this value. */
+function checkOther(command: Command, name: string, value: unknown): void {
+  const rules = OTHER_OPTIONS[command];
+  if (!Object.hasOwn(rules, name)) throw unknownOption(command, name);
+  const { isAllowed, words } = rules[name];
+  if (!isAllowed(value)) throw new Error(`${name} is ${quotedValue(value)}: give ${words}.`);
+}
+
+/** Throws where what is asked of a solver has none. */
+function checkSolver(command: Command, settings: Settings): void {
+  if (settings.solver !== 'none') return;
+  const cure = `needs a solver: name one of ${SOLVER_NAMES.join(', ')} as "solver".`;
+  if (command === 'tune') throw new Error(`tune ${cure}`);
+  const setting = SOLVER_SETTINGS.find((name) => settings[name] !== OPTIONS[name].default);
+  if (setting !== undefined) throw new SettingError(setting, cure);
 }
 
 function unknownOption(command: Command, name: string): Error {
@@ -47,14 +86,4 @@ function unknownOption(command: Command, name: string): Error {
 export function settingsAsUsed(command: Command, settings: Settings): Partial<Settings> {
   const used = settingsOf(command).filter((setting: SettingName) => settings[setting] !== '');
   return Object.fromEntries(used.map((setting) => [setting, settings[setting]]));
-}
-
-/** Throws an Error where a target is none. */
-export function checkTarget(
-  name: string,
-  value: number | undefined,
-  isAllowed: boolean,
-  range: string,
-): void {
-  if (value !== undefined && !isAllowed) throw new Error(`${name} is ${value}: give ${range}.`);
 }

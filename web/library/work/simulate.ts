@@ -80,11 +80,11 @@ export async function simulateModels(
 
 /** Refuses what could not be done, before any work. */
 function checkCarried(
-  { binding, settingsFile }: SimulateOptions,
+  { binding = null, settingsFile = null }: SimulateOptions,
   settings: WorkSession['settings'],
   isPair: boolean,
 ): void {
-  const lonely = binding !== undefined ? 'binding' : settingsFile !== undefined ? 'settingsFile' : null;
+  const lonely = binding !== null ? 'binding' : settingsFile !== null ? 'settingsFile' : null;
   if (lonely && !isPair) throw new Error(`${lonely} is for the other model, which is missing: give both.`);
   if (!settings.calibrate) return;
   if (!isPair) throw new Error('calibrate matches the other model to the original: give both.');
@@ -95,14 +95,14 @@ function checkCarried(
 function readCarried(
   { core, settings }: WorkSession,
   { originals, others }: Sides,
-  { binding, settingsFile }: SimulateOptions,
+  { binding = null, settingsFile = null }: SimulateOptions,
 ): Carried {
-  const tuning = settingsFile === undefined ? null : readSettingsFile('settingsFile', settingsFile);
+  const tuning = settingsFile === null ? null : readSettingsFile('settingsFile', settingsFile);
   if (tuning && settings.solver !== 'none' && settings.solver !== tuning.solver)
     throw new Error(`settingsFile is for solver ${tuning.solver}, not ${settings.solver}: give that.`);
   const factors = others && settings.calibrate;
   return {
-    bindings: binding === undefined ? null : readBinding('binding', binding),
+    bindings: binding === null ? null : readBinding('binding', binding),
     tuning,
     factors: factors
       ? originals.map((original, i) => calibrationOf(core, original, others[i].mesh, settings))
