@@ -167,22 +167,20 @@ describe('in Node', () => {
     expect([resources, hasWorker]).toEqual([[], false]);
   });
 
-  it.each(['node16', 'bundler'])(
-    'its types hold under tsc --strict with moduleResolution %s',
+  it.each(['node16', 'nodenext', 'bundler'])(
+    'its types, and programs of the documents, hold under tsc --strict with moduleResolution %s',
     (resolution) => {
       copyFileSync(fixture('types.ts'), join(folder, 'types.ts'));
-      const module = resolution === 'node16' ? 'node16' : 'esnext';
+      const sources = [...programs].map(([name, text]) => {
+        const source = name.replace('.mjs', '.mts');
+        writeFileSync(join(folder, source), text);
+        return source;
+      });
+      const module = resolution === 'bundler' ? 'esnext' : resolution;
       const flags = ['--strict', '--noEmit', '--target', 'es2022', '--lib', 'esnext,dom'];
-      node(
-        folder,
-        tool('typescript', 'bin', 'tsc'),
-        ...flags,
-        '--module',
-        module,
-        '--moduleResolution',
-        resolution,
-        'types.ts',
-      );
+      flags.push('--types', 'node', '--typeRoots', tool('@types'));
+      flags.push('--module', module, '--moduleResolution', resolution);
+      node(folder, tool('typescript', 'bin', 'tsc'), ...flags, 'types.ts', ...sources);
     },
   );
 });

@@ -4,7 +4,10 @@ import type { Document } from '@gltf-transform/core';
 import { checkOptions, checkRun } from './arguments';
 import { applyBodies, filesOf, isDocument } from './models';
 import type {
-  CommonOptions,
+  CompareOptions,
+  CompareReport,
+  FileLevel,
+  InspectOptions,
   Model,
   ModesOptions,
   ModesResult,
@@ -14,6 +17,7 @@ import type {
   Reported,
   RunOptions,
   SimulateOptions,
+  SimulatePairReport,
   SimulateResult,
   TuneOptions,
   TuneResult,
@@ -36,9 +40,19 @@ export function optimize(
 ): Promise<OptimizedDocument>;
 export function optimize(
   model: Exclude<Model, Document>,
+  options?: OptimizeOptions & { lodStyle?: 'files' },
+  run?: RunOptions,
+): Promise<OptimizedGlb<FileLevel>>;
+export function optimize(
+  model: Exclude<Model, Document>,
   options?: OptimizeOptions,
   run?: RunOptions,
 ): Promise<OptimizedGlb>;
+export function optimize(
+  model: Model,
+  options?: OptimizeOptions,
+  run?: RunOptions,
+): Promise<OptimizedDocument | OptimizedGlb>;
 export async function optimize(
   model: Model,
   options: OptimizeOptions = {},
@@ -49,7 +63,8 @@ export async function optimize(
   const { files, bodies, ...others } = await work('optimize', [model], { ...options, wantsBodies }, run);
   if (!wantsBodies) return { glb: files[0].bytes, files, ...others };
   await applyBodies(model, bodies, options.fields ?? false);
-  return { document: model, ...others };
+  // Further levels of a document are files.
+  return { document: model, ...others, levels: others.levels as FileLevel[] };
 }
 
 /** A transform for `document.transform(limber({ ratio: 0.5 }))` of glTF-Transform; see `optimize`. */
@@ -79,21 +94,38 @@ export const modes = (model: Model, options: ModesOptions = {}, run: RunOptions 
 export const compare = (
   original: Model,
   other: Model,
-  options: CommonOptions = {},
+  options: CompareOptions = {},
   run: RunOptions = {},
-): Promise<Reported> => work('compare', [original, other], options, run);
+): Promise<Reported<CompareReport>> => work('compare', [original, other], options, run);
 
 /** Moves the original, and another model beside it unless it is null: times, and how far they part. */
-export const simulate = (
+export function simulate(
+  original: Model,
+  other: Model,
+  options?: SimulateOptions,
+  run?: RunOptions,
+): Promise<SimulateResult<SimulatePairReport>>;
+export function simulate(
+  original: Model,
+  other: Model | null,
+  options?: SimulateOptions,
+  run?: RunOptions,
+): Promise<SimulateResult>;
+export function simulate(
   original: Model,
   other: Model | null,
   options: SimulateOptions = {},
   run: RunOptions = {},
-): Promise<SimulateResult> => work('simulate', other === null ? [original] : [original, other], options, run);
+): Promise<SimulateResult> {
+  return work('simulate', other === null ? [original] : [original, other], options, run);
+}
 
 /** Tells what is in a model and what is wrong with it. */
-export const inspect = (model: Model, options: CommonOptions = {}, run: RunOptions = {}): Promise<Reported> =>
-  work('inspect', [model], options, run);
+export const inspect = (
+  model: Model,
+  options: InspectOptions = {},
+  run: RunOptions = {},
+): Promise<Reported> => work('inspect', [model], options, run);
 
 /** Ends the worker and gives its memory back. The next call starts another. */
 export const close = (): void => workQueue().close();

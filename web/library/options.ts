@@ -1,9 +1,12 @@
 /** What a caller of the library says: settings by the names of the table, and what is no setting. */
 
 import type { Document } from '@gltf-transform/core';
-import type { Report } from '../engine/report/report';
+import type { Fidelity } from '../engine/core/core';
+import type { SimulationReport } from '../engine/report/motion_report';
+import type { Report, ReportWith } from '../engine/report/report';
 import type { LevelReport } from '../engine/report/result_report';
-import type { SettingName, Settings } from '../engine/settings/options';
+import type { FidelityReport } from '../engine/report/solver_report';
+import type { CommandSettings, SettingName } from '../engine/settings/options';
 import type { SolverName } from '../engine/solvers/profiles';
 
 /** A file by name; a name may have a path relative to the other files. */
@@ -19,9 +22,11 @@ export interface ModelFile {
 export type Model = Document | Uint8Array | ArrayBuffer | readonly ModelFile[];
 
 /** Settings by name, as in the table of the README without dashes (`strainWeight` is --strain-weight). */
-export type CommonOptions = Partial<Settings>;
+export type InspectOptions = Partial<CommandSettings<'inspect'>>;
 
-export interface OptimizeOptions extends CommonOptions {
+export type CompareOptions = Partial<CommandSettings<'compare'>>;
+
+export interface OptimizeOptions extends Partial<CommandSettings<'optimize'>> {
   /** the most faces that may be left, of the whole file */
   faces?: number;
   /** the share of faces that is left, above 0 to 1; 0.5 where nothing else is a target */
@@ -34,16 +39,16 @@ export interface OptimizeOptions extends CommonOptions {
   validate?: boolean;
 }
 
-export interface TuneOptions extends CommonOptions {
+export interface TuneOptions extends Partial<CommandSettings<'tune'>> {
   solver: SolverName;
 }
 
-export interface ModesOptions extends CommonOptions {
+export interface ModesOptions extends Partial<CommandSettings<'modes'>> {
   /** write the modes as morph targets with an animation each; `shapes` of the result has the GLB */
   writesShapes?: boolean;
 }
 
-export interface SimulateOptions extends CommonOptions {
+export interface SimulateOptions extends Partial<CommandSettings<'simulate'>> {
   /** the text of a binding file of `optimize`, which pins are carried over by; null, as of a result without one: none */
   binding?: string | null;
   /** the text of a settings file of `optimize` or `tune`; null, as of a result without one: none */
@@ -83,24 +88,35 @@ export interface Level {
   report: LevelReport;
 }
 
-interface Optimized {
-  report: Report;
+/** A level with files of its own. */
+export interface FileLevel extends Level {
+  glb: Uint8Array;
+}
+
+/** The parts that a report of the call always has are no optional ones in its type. */
+export interface Reported<OfCall extends Report = Report> {
+  report: OfCall;
   /** what happened on the way, in clauses: "164 seam vertices welded" */
   notes: string[];
+}
+
+export type OptimizeReport = ReportWith<'output' | 'surface' | 'stop'>;
+
+interface Optimized<OneLevel extends Level> extends Reported<OptimizeReport> {
   /** one for each of `lods` */
-  levels: Level[];
+  levels: OneLevel[];
   /** the text of the binding file; null without `bind` */
   binding: string | null;
   /** the text of the settings file; null without a solver */
   settingsFile: string | null;
 }
 
-export interface OptimizedDocument extends Optimized {
+export interface OptimizedDocument extends Optimized<FileLevel> {
   /** the document that was given, changed */
   document: Document;
 }
 
-export interface OptimizedGlb extends Optimized {
+export interface OptimizedGlb<OneLevel extends Level = Level> extends Optimized<OneLevel> {
   /** the bytes that the command line writes under the same settings: the first file, of another format where `format` says so */
   glb: Uint8Array;
   /**
@@ -110,21 +126,32 @@ export interface OptimizedGlb extends Optimized {
   files: ModelFile[];
 }
 
-export interface Reported {
-  report: Report;
-  notes: string[];
-}
+/** `fidelity` has the errors of the vibration, and none of solvers. */
+export type CompareReport = ReportWith<'output' | 'surface'> & { fidelity: Fidelity };
 
-export interface TuneResult extends Reported {
+/** `fidelity` has the errors in the solver alone. */
+export type TuneReport = ReportWith<'output'> & { fidelity: Required<Pick<FidelityReport, 'solvers'>> };
+
+export interface TuneResult extends Reported<TuneReport> {
   settingsFile: string;
 }
 
-export interface ModesResult extends Reported {
+export type ModesReport = ReportWith<'model' | 'components' | 'zeroModes' | 'modes' | 'solve'>;
+
+export interface ModesResult extends Reported<ModesReport> {
   /** null without `writesShapes` */
   shapes: Uint8Array | null;
 }
 
-export interface SimulateResult extends Reported {
+export type SimulateReport = ReportWith<'simulation'>;
+
+/** Of two models. */
+export type SimulatePairReport = SimulateReport &
+  ReportWith<'output'> & {
+    simulation: Required<Pick<SimulationReport, 'optimized' | 'speedup' | 'edgeRatio' | 'deviation'>>;
+  };
+
+export interface SimulateResult<OfCall extends SimulateReport = SimulateReport> extends Reported<OfCall> {
   /** null without `records` */
   recording: Uint8Array | null;
 }

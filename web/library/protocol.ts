@@ -14,7 +14,9 @@ import type {
   StageProgress,
   TuneOptions,
   TuneResult,
-  CommonOptions,
+  CompareOptions,
+  CompareReport,
+  InspectOptions,
 } from './options';
 
 /** A model as files, with its companions. */
@@ -35,9 +37,9 @@ export interface Commands {
   optimize: { options: OptimizeRequest; reply: OptimizeReply };
   tune: { options: Partial<TuneOptions>; reply: TuneResult };
   modes: { options: ModesOptions; reply: ModesResult };
-  compare: { options: CommonOptions; reply: Reported };
+  compare: { options: CompareOptions; reply: Reported<CompareReport> };
   simulate: { options: SimulateOptions; reply: SimulateResult };
-  inspect: { options: CommonOptions; reply: Reported };
+  inspect: { options: InspectOptions; reply: Reported };
 }
 
 export type CommandName = keyof Commands;

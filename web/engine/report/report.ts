@@ -47,6 +47,9 @@ export interface Report {
   timings: Record<string, number>;
 }
 
+/** A report that has these parts. */
+export type ReportWith<Part extends keyof Report> = Report & Required<Pick<Report, Part>>;
+
 /** The keys that every report has. */
 export function startReport(core: Core, command: string, options: object, bodies: InspectedBody[]): Report {
   return {

@@ -2,6 +2,7 @@
 
 export { checkSetting, checkSettings, SOLVER_SETTINGS } from './check';
 export { COMMAND_DEFAULTS, settingsOf } from './commands';
+export type { CommandSettings } from './commands';
 export { SettingError, wordNote, wordSentence } from './errors';
 export type { Note, Sentence } from './errors';
 export {

@@ -694,6 +694,9 @@ export type Settings = { -readonly [Name in keyof typeof ROWS]: SettingValue<(ty
 
 export type SettingName = keyof Settings;
 
+/** The rows as they are written, for types that follow from them. */
+export type SettingRows = typeof ROWS;
+
 /** The row of each setting. */
 export const OPTIONS: { readonly [Name in SettingName]: OptionOf<(typeof ROWS)[Name]['kind']> } = ROWS;
 

@@ -15,7 +15,7 @@ import { writeBinding } from '../report/binding_file';
 import { meshReport } from '../report/mesh_report';
 import { calibrationReport } from '../report/motion_report';
 import { startReport } from '../report/report';
-import type { Report } from '../report/report';
+import type { ReportWith } from '../report/report';
 import { resultReport, worstSurface } from '../report/result_report';
 import type { LevelReport } from '../report/result_report';
 import { settingsFile, writeSettings } from '../report/settings_file';
@@ -195,7 +195,7 @@ export class FileOutput {
   }
 
   /** `options`: as used. `levels`: the further levels, with the names of their files. */
-  report(options: object, levels: LevelReport[]): Report {
+  report(options: object, levels: LevelReport[]): ReportWith<'output' | 'surface' | 'stop'> {
     const prepared = this.prepared();
     const [measured, modes] = [this.values(STAGES.measured), this.values(STAGES.guidingModes)];
     const fitted = this.values(STAGES.fitted);

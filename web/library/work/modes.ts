@@ -13,7 +13,7 @@ import { modesOfFile, sizeWarnings } from '../../engine/stages/file_warnings';
 import { inspectBody } from '../../engine/stages/prepared';
 import { STAGES } from '../../engine/stages/stages';
 import { exportedMesh } from '../../engine/stages/written';
-import type { ModesOptions, ModesResult, Reported } from '../options';
+import type { ModesOptions, ModesReport, ModesResult, Reported } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
 import { inNames, nameOf } from './session';
@@ -36,12 +36,12 @@ export async function findModes(
   session.warn(warnings);
   const modes = session.lap();
   const shapes = writesShapes ? await shapesGlb(session, file) : null;
-  const report: Report = {
+  const report: ModesReport = {
     ...startReport(core, 'modes', optionsAsUsed(settings), prepared),
     ...modesReport(sets),
     timings: { load, weld, modes, export: session.lap(), total: session.total() },
   };
-  notes.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0).map(inNames));
+  notes.push(...describeSolve(report.modes, report.solve.coarseVertices ?? 0).map(inNames));
   return { shapes, report: finished(session, report), notes };
 }
 

@@ -108,7 +108,7 @@ async function addedErrors(
 }
 
 /** The report with the memory as it is at the end. */
-export const finished = ({ core }: WorkSession, report: Report): Report => ({
+export const finished = <OfCall extends Report>({ core }: WorkSession, report: OfCall): OfCall => ({
   ...report,
   peakHeapBytes: core.peakHeapBytes(),
 });

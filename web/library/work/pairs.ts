@@ -17,7 +17,7 @@ import { comparedWarnings } from '../../engine/stages/file_warnings';
 import { measureDistance } from '../../engine/stages/measure';
 import { STAGES } from '../../engine/stages/stages';
 import { tuneMesh, tuneSettings } from '../../engine/stages/tune';
-import type { Reported, TuneResult } from '../options';
+import type { CompareReport, Reported, TuneResult } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
 import type { WorkSession } from './session';
@@ -32,7 +32,10 @@ export function checkPairs(originals: PreparedBody[], others: PreparedBody[]): v
   );
 }
 
-export async function compareModels(session: WorkSession, [first, second]: ModelFiles[]): Promise<Reported> {
+export async function compareModels(
+  session: WorkSession,
+  [first, second]: ModelFiles[],
+): Promise<Reported<CompareReport>> {
   const { core, settings, notes } = session;
   const models = [await session.open(first), await session.open(second)];
   const load = session.lap();

@@ -17,12 +17,11 @@ import { readBinding } from '../../engine/report/binding_file';
 import { meshReport } from '../../engine/report/mesh_report';
 import { calibrationReport, simulationReport } from '../../engine/report/motion_report';
 import { startReport } from '../../engine/report/report';
-import type { Report } from '../../engine/report/report';
 import type { SettingsFile } from '../../engine/report/settings_file';
 import { readSettingsFile } from '../../engine/report/settings_reader';
 import type { FileRun } from '../../engine/stages/file_run';
 import { STAGES } from '../../engine/stages/stages';
-import type { SimulateOptions, SimulateResult } from '../options';
+import type { SimulateOptions, SimulateReport, SimulateResult } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
 import { checkPairs } from './pairs';
@@ -67,7 +66,7 @@ export async function simulateModels(
   const recording = options.records ? await recordingGlb(recorded(motions, sides), STEP_SECONDS) : null;
   const { factors, tuning } = carried;
   const used = settingsAsUsed('simulate', settings);
-  const report: Report = {
+  const report: SimulateReport = {
     ...startReport(core, 'simulate', used, originals),
     ...(others ? { output: meshReport(others) } : {}),
     simulation: simulationReport(motions, askedMotion(settings, tuning, others !== null)),
