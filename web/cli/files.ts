@@ -1,6 +1,15 @@
 /** Files of the command line: a model with its companions in, whole files out. */
 
-import { chmodSync, existsSync, realpathSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import {
+  chmodSync,
+  existsSync,
+  mkdirSync,
+  realpathSync,
+  renameSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { companionNames } from '../engine/document/gltf';
 import type { SourceFile } from '../engine/document/open';
@@ -59,6 +68,15 @@ export function pathsNamedBy(path: string): string[] {
   const main = { name: basename(path), bytes: readBytes(path) };
   const ofGltf = companionNames(main).map((name) => join(dirname(path), name));
   return [...ofGltf, ...objCompanions(path, main, [dirname(path)]).named];
+}
+
+/** Makes a folder with those above it, unless it is there. */
+export function makeFolder(path: string): void {
+  try {
+    mkdirSync(path, { recursive: true });
+  } catch (error) {
+    throw fileError(`${path} cannot be made`, error);
+  }
 }
 
 /** Letters of a name that its partial file keeps: a name can be as long as the system allows. */

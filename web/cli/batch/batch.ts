@@ -1,19 +1,22 @@
 /** limber batch SRC... OUT */
 
-import { existsSync, mkdirSync, realpathSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
-import { EMPTY_CONFIG, isExcluded, readBatchConfig } from '../../engine/settings/batch_config';
+import {
+  EMPTY_CONFIG,
+  isExcluded,
+  readBatchConfig,
+  unusedPatterns,
+} from '../../engine/settings/batch_config';
 import { startStopwatch } from '../../engine/core/stopwatch';
 import type { Arguments } from '../arguments';
 import { EXIT, inFlags, UsageError } from '../failure';
+import { makeFolder } from '../files';
 import { readText } from '../input_files/read_file';
-import { findAt } from '../output_files/identity';
-import { checkOutputs } from '../output_files/outputs';
-import { isOwnFile } from '../output_files/own_files';
 import { STANDARD } from '../standard';
 import { counted, grouped } from '../../engine/core/words';
 import { plain } from '../words';
+import { checkOut, checkReports, checkSettingsFiles } from './checks';
 import { runDryBatch } from './dry';
 import { Journal } from './journal';
 import { takeLock } from './lock';
@@ -26,22 +29,25 @@ import { BatchRun } from './run';
 import { findSources } from './sources';
 import { describeTotals, summaryOf } from './summary';
 import type { Summary } from './summary';
-import { hasSummary, SUMMARY_FILES, writeSummary } from './write_summary';
+import { writeSummary } from './write_summary';
 
 export async function runBatch(args: Arguments): Promise<number> {
   const seconds = startStopwatch();
   const out = args.operands[args.operands.length - 1];
   checkOut(args, out);
-  const requests = readRequests(args, out);
+  const { requests, notes } = readRequests(args, out);
+  checkSettingsFiles(requests);
   checkReports(args, requests);
+  sayNotes(args, [...args.formerWords.map(inFlags), ...notes]);
   const own = join(out, OWN_FOLDER);
   if (args.dryRun) return runDryBatch(args, out, requests, new Journal(own));
-  mkdirSync(own, { recursive: true });
+  makeFolder(own);
   const unlock = takeLock(own, out);
   try {
     const journal = new Journal(own);
     const crew = crewOf(args, requests.length);
-    sayStart(args, requests, { crew, notes: [...args.formerWords.map(inFlags), ...journal.notes] });
+    sayNotes(args, journal.notes);
+    sayStart(args, requests, crew);
     journal.gather();
     const run = new BatchRun({ args, out, journal, ...crew }, requests);
     stopOnSignal(run, unlock);
@@ -55,8 +61,8 @@ export async function runBatch(args: Arguments): Promise<number> {
   }
 }
 
-/** Throws where the configuration, a source or a setting is not usable: nothing is begun then. */
-function readRequests(args: Arguments, out: string): AssetRequest[] {
+/** `notes`: what of the configuration counts for nothing. Throws where it, a source or a setting is not usable: nothing is begun then. */
+function readRequests(args: Arguments, out: string): { requests: AssetRequest[]; notes: string[] } {
   const words = args.operands.slice(0, -1);
   if (args.operands.includes(STANDARD))
     throw new UsageError('A batch reads and writes folders: use limber optimize for stdin and stdout.');
@@ -64,34 +70,8 @@ function readRequests(args: Arguments, out: string): AssetRequest[] {
   const config = path === null ? EMPTY_CONFIG : readBatchConfig(readText(path), path);
   const sources = findSources(words, out).filter(({ name }) => !isExcluded(config, name));
   if (sources.length === 0) throw new UsageError(`${path} excludes all models: give fewer patterns.`);
-  return requestsOf(config, args, sources);
-}
-
-function checkOut({ operands, force }: Arguments, out: string): void {
-  const found = findAt(out);
-  if (!found) return;
-  if (!found.isDirectory()) throw new UsageError(`${out} is a file: name a folder for the results.`);
-  const same = operands
-    .slice(0, -1)
-    .find((word) => existsSync(word) && realpathSync(word) === realpathSync(out));
-  if (same !== undefined) throw new UsageError(`${out} is also SRC: choose another folder for the results.`);
-  if (force || existsSync(join(out, OWN_FOLDER)) || hasSummary(out)) return;
-  const foreign = SUMMARY_FILES.map((name) => join(out, name)).find(
-    (path) => existsSync(path) && !isOwnFile(path),
-  );
-  if (foreign !== undefined)
-    throw new UsageError(
-      `${foreign} exists and was not written by limber: choose another folder, or replace it with --force.`,
-    );
-}
-
-/** The summary is written over no asset, and over no file of the user's own without --force. */
-function checkReports({ reports, force, batch }: Arguments, requests: AssetRequest[]): void {
-  const capacity = { model: 0, positions: 0 };
-  const outputs = reports.map((path) => ({ path, flag: '--report', isGlb: false, capacity }));
-  const sources = requests.map(({ asset }) => asset.path);
-  if (reports.length > 0)
-    checkOutputs(outputs, batch.config === null ? sources : [...sources, batch.config], force);
+  const names = sources.map(({ name }) => name);
+  return { requests: requestsOf(config, args, sources), notes: unusedPatterns(config, names, path ?? '') };
 }
 
 /** How many work, with what. */
@@ -112,14 +92,12 @@ export function crewOf({ batch, settings }: Arguments, assets: number, cores = a
   return { jobs, threads: settings.threads || share, memory: memoryLimit(batch.memory, jobs) };
 }
 
-function sayStart(
-  { quiet }: Arguments,
-  requests: AssetRequest[],
-  { crew, notes }: { crew: Crew; notes: string[] },
-): void {
+function sayNotes({ quiet }: Arguments, notes: string[]): void {
+  if (!quiet) for (const note of notes) process.stderr.write(`limber: ${plain(note)}.\n`);
+}
+
+function sayStart({ quiet }: Arguments, requests: AssetRequest[], { jobs, threads, memory }: Crew): void {
   if (quiet) return;
-  for (const note of notes) process.stderr.write(`limber: ${plain(note)}.\n`);
-  const { jobs, threads, memory } = crew;
   const megabytes = grouped(Math.floor(memory / 2 ** 20));
   process.stderr.write(
     `${counted(requests.length, 'asset')}, ${counted(jobs, 'job')} of ${counted(threads, 'thread')} and at most ${megabytes} MB each\n`,

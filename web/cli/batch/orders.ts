@@ -7,7 +7,10 @@ import { OPTIONS, checkSettings, settingsOf } from '../../engine/settings/option
 import type { SettingName } from '../../engine/settings/options';
 import { optionsFor, settingsFor } from '../../engine/settings/batch_config';
 import type { AssetOptions, BatchConfig } from '../../engine/settings/batch_config';
+import { checkForm, outputForm } from '../../engine/document/write/output_form';
 import type { Arguments } from '../arguments';
+import { describeFailure, UsageError } from '../failure';
+import { sentenceOn } from './progress';
 import { assetsOf } from './sources';
 import type { Asset, Source } from './sources';
 
@@ -55,18 +58,33 @@ export function requestsOf(config: BatchConfig, args: Arguments, sources: Source
   const flags = optionsOfFlags(args);
   const ofPresets = namesOfPresets(args);
   const optionsOf = new Map(sources.map(({ name }) => [name, optionsFor(config, name, flags)]));
-  const checked = new Set<string>();
-  for (const options of optionsOf.values()) {
-    const text = JSON.stringify(options);
-    if (!checked.has(text)) checkSettings(settingsFor(options));
-    checked.add(text);
-  }
+  checkOptions(optionsOf);
   const assets = assetsOf(sources, (name) => endingOf(optionsOf.get(name)!));
   return assets.map((asset) => {
     const named = optionsFor(config, asset.name, {});
     const unasked = ofPresets.filter((name) => named[name] === undefined);
     return { asset, options: optionsOf.get(asset.name)!, unasked };
   });
+}
+
+/** Throws where settings of an asset do not go together, or its format cannot have them. Each combination is looked at once. */
+function checkOptions(optionsOf: Map<string, AssetOptions>): void {
+  const distinct = new Map(
+    [...optionsOf].map(([name, options]) => [JSON.stringify(options), { name, options }]),
+  );
+  for (const { name, options } of distinct.values())
+    try {
+      const settings = settingsFor(options);
+      checkSettings(settings);
+      checkForm(outputForm(`.${endingOf(options)}`, settings.format, 'glb'), {
+        compression: settings.compress,
+        style: settings.lodStyle,
+        levels: settings.lods.length,
+      });
+    } catch (error) {
+      // Where all have the same options, no asset is to blame.
+      throw distinct.size === 1 ? error : new UsageError(sentenceOn(name, describeFailure(error).line));
+    }
 }
 
 /** The ending of a result: GLB, unless another format is asked for. */

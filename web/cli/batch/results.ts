@@ -2,7 +2,8 @@
 
 import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { writeWhole } from '../files';
+import { fileError } from '../file_error';
+import { makeFolder, writeWhole } from '../files';
 import { followLinks, identityOf, isSpecial } from '../output_files/identity';
 import { isOwnCompanion } from '../output_files/own_companions';
 import { isOwnFile } from '../output_files/own_files';
@@ -127,14 +128,15 @@ export class Results {
 /** A link stays, and the file that it leads to is replaced, with its permissions; it can be on another disk. */
 function move({ staged, path }: StagedFile): void {
   const end = followLinks(path);
-  mkdirSync(dirname(end), { recursive: true });
+  makeFolder(dirname(end));
   try {
     if (isSpecial(end)) return copyFileSync(staged, end);
     const old = statSync(end, { throwIfNoEntry: false });
     if (old) chmodSync(staged, old.mode & 0o7777);
     renameSync(staged, end);
   } catch (error) {
-    if ((error as NodeJS.ErrnoException).code !== 'EXDEV') throw error;
+    if ((error as NodeJS.ErrnoException).code !== 'EXDEV')
+      throw fileError(`${path} cannot be written`, error);
     writeWhole(path, new Uint8Array(readFileSync(staged)));
   }
 }

@@ -1,11 +1,11 @@
 /** A batch at work: jobs take one asset after the other, and what is up to date is left as it is. */
 
-import { mkdirSync, rmSync } from 'node:fs';
+import { rmSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { staysObj } from '../../engine/document/write/output_form';
 import type { Arguments } from '../arguments';
 import { describeFailure } from '../failure';
-import { readModelFiles } from '../files';
+import { makeFolder, readModelFiles } from '../files';
 import { ASSET_WORKER } from './asset_worker';
 import { Job } from './job';
 import type { Journal } from './journal';
@@ -131,7 +131,7 @@ export class BatchRun {
   private async done(job: Job, request: AssetRequest): Promise<AssetRecord> {
     try {
       const order = this.orderFor(request);
-      mkdirSync(dirname(order.args.operands[1]), { recursive: true });
+      makeFolder(dirname(order.args.operands[1]));
       const done = await job.work({ ...order, folder: job.folder });
       const record = await this.results.take(done);
       return { ...record, bytesBefore: done.record.bytesBefore || request.asset.bytes };

@@ -125,7 +125,8 @@ function checkFolder({ path }: Output): void {
     throw new UsageError(`${path} cannot be written: its folder does not allow it, so choose another one.`);
 }
 
-function isWritable(path: string): boolean {
+/** Whether the system lets a file be changed, or files be made in a folder. */
+export function isWritable(path: string): boolean {
   try {
     accessSync(path, constants.W_OK);
     return true;

@@ -102,6 +102,17 @@ export const optionsFor = (
   return Object.assign({}, options, flags, ...own.map((override) => override.options)) as AssetOptions;
 };
 
+/** A clause on each pattern of an override that agrees with none of the paths. `name`: what the configuration is called. */
+export const unusedPatterns = ({ overrides }: BatchConfig, paths: string[], name: string): string[] =>
+  overrides.flatMap(({ files }, i) =>
+    files
+      .filter((pattern) => !paths.some((path) => matchesPath(pattern, path)))
+      .map(
+        (pattern) =>
+          `${name}: overrides[${i}].files has ${quotedJson(pattern)}, with which no asset agrees: check its spelling`,
+      ),
+  );
+
 /** The settings that options stand for, over the defaults of the method that they name. Nothing is checked. */
 export function settingsFor(options: AssetOptions): Settings {
   const names = settingsOf('optimize').filter((name) => options[name] !== undefined);
