@@ -214,6 +214,8 @@ describe('limber batch', () => {
     write('src/two\nlines.obj', toObj(grid(4, 4)));
     write('src/.hidden/a.obj', 'nothing');
     write('src/a*.txt', 'nothing');
+    const dry = limber('batch', 'src/two*.obj', 'out', '--dry-run').stdout;
+    expect(dry.split('\n')[0]).toBe('src/two lines.obj (new) -> out/two lines.glb');
     const all = limber('batch', 'src/**/*.obj', 'out', '--quiet');
     expect([all.code, all.stderr]).toEqual([0, '']);
     expect(totals().assets).toBe(5);

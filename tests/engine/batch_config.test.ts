@@ -330,16 +330,17 @@ describe('progress', () => {
       write: (part: string | Uint8Array) => ((text += String(part)), true),
     };
     const progress = new BatchProgress(2, { quiet: false, stream });
-    progress.begin('a\u001b[31m.obj');
-    progress.end(failedRecord('a\u001b[31m.obj', 'no'), false);
+    progress.begin('a\n\u001b[31m.obj');
+    progress.end(failedRecord('a\n\u001b[31m.obj', 'no'), false);
     progress.clear();
     return text;
   };
 
   it('is a line for each asset, and on terminals one that stays, without steering them', () => {
-    expect(said(false)).toBe('[1/2] a?[31m.obj: failed: no\n');
+    expect(said(false)).toBe('[1/2] a ?[31m.obj: failed: no\n');
     expect(said(true)).toContain('\r1 of 2 assets, 1 failed: ');
     expect(said(true)).not.toContain('\u001b');
+    expect(said(true).match(/\n/g)).toHaveLength(1);
   });
 
   it('ends with sentences that name each asset once and have one mark at their end', () => {
@@ -348,6 +349,7 @@ describe('progress', () => {
     );
     expect(sentenceOn('b.obj', 'b.object is missing.')).toBe('b.obj: b.object is missing.');
     expect(sentenceOn('b.obj', 'stopped at 5 faces')).toBe('b.obj: stopped at 5 faces.');
+    expect(sentenceOn('a\r/b\nc.obj', 'b c.obj has no faces.')).toBe('a?/b c.obj has no faces.');
   });
 });
 

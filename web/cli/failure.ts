@@ -2,7 +2,7 @@
 
 import { OPTIONS, SettingError, wordNote, wordSentence } from '../engine/settings/options';
 import type { Note, SettingName } from '../engine/settings/options';
-import { plain } from './words';
+import { inOneLine } from './words';
 
 export const EXIT = {
   ...{ done: 0, badInput: 1, missedTarget: 2, internal: 3 },
@@ -19,8 +19,7 @@ export function describeFailure(error: unknown): { code: number; line: string } 
     error instanceof UsageError ||
     error instanceof SettingError ||
     (error instanceof Error && error.constructor === Error);
-  const message = messageOf(error);
-  const line = plain(message.replace(/\s*\n\s*/g, ' ').trim());
+  const line = inOneLine(messageOf(error).trim());
   if (isSentence) return { code: EXIT.badInput, line };
   return {
     code: EXIT.internal,

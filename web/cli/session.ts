@@ -19,7 +19,7 @@ import { shownOutput, STANDARD } from './standard';
 import { clearProgress, showProgress } from './terminal';
 import { warningLines } from './warnings';
 import { grouped } from '../engine/core/words';
-import { plain } from './words';
+import { inOneLine, plain } from './words';
 
 export interface Session {
   args: Arguments;
@@ -115,6 +115,6 @@ export function finish(session: Session, report: Report, text: string, missed: s
   if (!args.quiet && !args.reports.includes(STANDARD)) summary.write(`${plain(text)}\n`);
   if (!args.quiet)
     for (const line of warningLines(warnings, args.verbose))
-      process.stderr.write(`limber: ${plain(line)}.\n`);
-  for (const sentence of missed) process.stderr.write(`limber: ${plain(sentence)}.\n`);
+      process.stderr.write(`limber: ${inOneLine(line)}.\n`);
+  for (const sentence of missed) process.stderr.write(`limber: ${inOneLine(sentence)}.\n`);
 }

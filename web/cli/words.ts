@@ -23,5 +23,8 @@ export function list(entries: [string, string][]): string {
   return entries.map(([name, value]) => `${name.padEnd(width)}  ${value}`).join('\n');
 }
 
+/** As `plain`, in one line. */
+export const inOneLine = (text: string): string => plain(text.replace(/\s*\n\s*/g, ' '));
+
 /** Text that may come from a file, without characters that steer a terminal. */
 export const plain = (text: string): string => text.replace(/[^\n\x20-\x7e\u00a0-\uffff]/g, '?');

@@ -15,7 +15,7 @@ import { makeFolder } from '../files';
 import { readText } from '../input_files/read_file';
 import { STANDARD } from '../standard';
 import { counted, grouped } from '../../engine/core/words';
-import { plain } from '../words';
+import { inOneLine } from '../words';
 import { checkOut, checkReports, checkSettingsFiles } from './checks';
 import { runDryBatch } from './dry';
 import { Journal } from './journal';
@@ -93,7 +93,7 @@ export function crewOf({ batch, settings }: Arguments, assets: number, cores = a
 }
 
 function sayNotes({ quiet }: Arguments, notes: string[]): void {
-  if (!quiet) for (const note of notes) process.stderr.write(`limber: ${plain(note)}.\n`);
+  if (!quiet) for (const note of notes) process.stderr.write(`limber: ${inOneLine(note)}.\n`);
 }
 
 function sayStart({ quiet }: Arguments, requests: AssetRequest[], { jobs, threads, memory }: Crew): void {
@@ -119,10 +119,10 @@ function stopOnSignal(run: BatchRun, unlock: () => void): void {
 function finish(args: Arguments, out: string, summary: Summary): number {
   const { totals, assets } = summary;
   if (!args.quiet && !args.reports.includes(STANDARD))
-    process.stdout.write(`${plain(`${describeTotals(totals)} -> ${join(out, 'summary.html')}`)}\n`);
+    process.stdout.write(`${inOneLine(`${describeTotals(totals)} -> ${join(out, 'summary.html')}`)}\n`);
   for (const { asset, state, sentences } of assets) {
     const told = state === 'done' ? (args.verbose ? sentences : []) : sentences.slice(0, 1);
-    for (const sentence of told) process.stderr.write(`limber: ${plain(sentenceOn(asset, sentence))}\n`);
+    for (const sentence of told) process.stderr.write(`limber: ${sentenceOn(asset, sentence)}\n`);
   }
   if (totals.failed > 0) return EXIT.badInput;
   return totals.missed > 0 ? EXIT.missedTarget : EXIT.done;

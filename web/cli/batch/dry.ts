@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Arguments } from '../arguments';
 import { EXIT } from '../failure';
 import { counted } from '../../engine/core/words';
-import { plain } from '../words';
+import { inOneLine } from '../words';
 import type { Journal } from './journal';
 import type { AssetRequest } from './orders';
 import { reasonOf } from './run';
@@ -25,7 +25,7 @@ export async function runDryBatch(
       const { asset, options } = request;
       const asked = JSON.stringify(options);
       const line = `${asset.path} (${reason}) -> ${join(out, asset.result)}${asked === '{}' ? '' : ` ${asked}`}`;
-      process.stdout.write(`${plain(line)}\n`);
+      process.stdout.write(`${inOneLine(line)}\n`);
     }
   }
   const todo = counted(requests.length - unchanged, 'asset');

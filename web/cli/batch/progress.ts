@@ -2,7 +2,7 @@
 
 import { canRedraw, redrawn } from '../terminal';
 import { grouped } from '../../engine/core/words';
-import { percent, plain } from '../words';
+import { inOneLine, percent } from '../words';
 import type { AssetRecord } from './record';
 
 /** What progress is written to. */
@@ -49,7 +49,7 @@ export class BatchProgress {
 
   private say(line: string): void {
     this.clear();
-    this.stream.write(`${plain(line)}\n`);
+    this.stream.write(`${inOneLine(line)}\n`);
   }
 
   private lineOf(record: AssetRecord): string {
@@ -61,15 +61,16 @@ export class BatchProgress {
     if (!this.isLive) return;
     const failed = this.failed > 0 ? `, ${grouped(this.failed)} failed` : '';
     const names = [...this.working].join(', ');
-    const whole = plain(`${grouped(this.finished)} of ${grouped(this.total)} assets${failed}: ${names}`);
+    const whole = inOneLine(`${grouped(this.finished)} of ${grouped(this.total)} assets${failed}: ${names}`);
     const text = whole.slice(0, Math.max(20, (this.stream.columns ?? 80) - 1));
     this.stream.write(redrawn(text, this.shown));
     this.shown = text.length;
   }
 }
 
-/** What is said of an asset as a whole sentence: after its path, which stands in place of its file's name. */
-export function sentenceOn(asset: string, sentence: string): string {
+/** What is said of an asset as a whole sentence in one line: after its path, which stands in place of its file's name. */
+export function sentenceOn(path: string, words: string): string {
+  const [asset, sentence] = [path, words].map(inOneLine);
   const name = asset.slice(asset.lastIndexOf('/') + 1);
   const isNamed = sentence.startsWith(name) && /^[ ,:]/.test(sentence.slice(name.length));
   const said = isNamed ? `${asset}${sentence.slice(name.length)}` : `${asset}: ${sentence}`;
