@@ -143,9 +143,13 @@ const schemaWords = (schema: unknown): string =>
 function readOverride(value: unknown, where: string): BatchOverride {
   const override = objectOf(value, where);
   checkKeys(override, ['files', 'options'], where);
-  const files = typeof override.files === 'string' ? [override.files] : override.files;
-  const patterns = readPatterns(files, `${where}.files`);
-  if (patterns.length === 0) throw new Error(`${where}.files is empty: give a pattern such as "props/**".`);
+  const { files } = override;
+  const cure = 'give a pattern such as "props/**", or a list of them';
+  if (files === undefined) throw new Error(`${where} has no files: ${cure}.`);
+  if (typeof files !== 'string' && !Array.isArray(files))
+    throw new Error(`${where}.files is ${quotedJson(files)}: ${cure}.`);
+  const patterns = readPatterns([files].flat(), `${where}.files`);
+  if (patterns.length === 0) throw new Error(`${where}.files is empty: ${cure}.`);
   return { files: patterns, options: readOptions(override.options, `${where}.options`) };
 }
 
