@@ -513,6 +513,7 @@ describe('a wrong command line', () => {
     ],
     ['optimize torus.obj a.glb --ratio', '--ratio needs a value: --ratio R.'],
     ['optimize torus.obj a.glb --ratio --json', '--ratio needs a value: --ratio R.'],
+    ['optimize torus.obj a.glb --engine', '--engine needs a value: --engine FILE|NAME=VALUE,...'],
     ['optimize torus.obj a.glb --ratio 2', '--ratio is 2: give a number above 0 and up to 1.'],
     ['optimize torus.obj a.glb --faces 0', '--faces is 0: give a whole number of at least 1.'],
     ['optimize torus.obj a.glb --json=yes', '--json takes no value.'],

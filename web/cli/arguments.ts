@@ -160,7 +160,8 @@ function readValue(
     return '';
   }
   if (value === undefined || value.startsWith('--') || value === '')
-    throw new UsageError(`--${name} needs a value: --${name} ${flag.value}.`);
+    // Dots at the end of what stands for a value end the sentence as well.
+    throw new UsageError(`--${name} needs a value: --${name} ${flag.value}.`.replace(/\.{4}$/, '...'));
   return value;
 }
 
