@@ -569,6 +569,10 @@ describe('a wrong command line', () => {
     ['simulate torus.obj --bind a.json', '--bind carries pins over to B, which is missing: name both files.'],
     ['simulate torus.obj torus.obj --bind none.json', 'none.json cannot be read: there is no such file.'],
     ['compare torus.obj two.obj', 'torus.obj has 1 body and two.obj has 2: compare one with --mesh NAME.'],
+    [
+      'tune two.obj torus.obj --solver shell --settings s.json',
+      'two.obj has 2 bodies and torus.obj has 1: tune one with --mesh NAME.',
+    ],
   ])('limber %s', (words, message) => {
     expect(limber(...words.split(' '))).toEqual({ code: 1, stdout: '', stderr: `limber: ${message}\n` });
   });

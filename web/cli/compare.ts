@@ -54,11 +54,15 @@ function optionsAsUsed({ settings }: Arguments): object {
 }
 
 /** Bodies are compared in the order of the files. */
-export function checkPairs({ operands }: Arguments, originals: PreparedBody[], others: PreparedBody[]): void {
+export function checkPairs(
+  { command, operands }: Arguments,
+  originals: PreparedBody[],
+  others: PreparedBody[],
+): void {
   if (originals.length === others.length) return;
   const [a, b] = operands.map((path) => shownName(path));
   throw new UsageError(
-    `${a} has ${counted(originals.length, 'body', 'bodies')} and ${b} has ${others.length}: compare one with --mesh NAME.`,
+    `${a} has ${counted(originals.length, 'body', 'bodies')} and ${b} has ${others.length}: ${command} one with --mesh NAME.`,
   );
 }
 
