@@ -1,11 +1,18 @@
 import { describe, expect, it } from 'vitest';
-import { excerpt, grouped, quotedJson } from '../../web/engine/core/words';
+import { besideLimit, excerpt, grouped, quotedJson } from '../../web/engine/core/words';
 
 describe('a whole number', () => {
   it.each([0, 7, 999, 1000, 12345, 123456, 1234567, -999, -1000, -1234567, Number.MAX_SAFE_INTEGER])(
     'is written as toLocaleString writes it: %d',
     (value) => expect(grouped(value)).toBe(value.toLocaleString('en-US')),
   );
+});
+
+it('has as many digits beside a limit as tell the two apart', () => {
+  expect([0.5, 4, 0.1].map((limit) => besideLimit(0.0987, limit))).toEqual(['0.10', '0.10', '0.10']);
+  expect(besideLimit(0.00012, 0.0001)).toBe('0.00012');
+  expect(besideLimit(0.2479, 0.25)).toBe('0.248');
+  expect(besideLimit(1.5, 1e-30)).toMatch(/^1\.50+$/);
 });
 
 describe('what a sentence quotes of a file', () => {

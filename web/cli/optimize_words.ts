@@ -12,7 +12,7 @@ import type { FileOutput } from '../engine/stages/file_output';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
 import { shownName, shownOutput } from './standard';
-import { grouped } from '../engine/core/words';
+import { besideLimit, grouped } from '../engine/core/words';
 import { percent } from './words';
 
 export function summaryLine({ operands }: Arguments, output: FileOutput, seconds: number): string {
@@ -51,8 +51,8 @@ function fitWords(output: FileOutput): string[] {
 function frequencyWords({ frequency }: StopReport): string[] {
   if (!frequency) return [];
   const { error, limit, beyond } = frequency;
-  const less = beyond ? ` (${grouped(beyond.faces)} faces: ${beyond.error.toFixed(2)} %)` : '';
-  return [`frequencies within ${error.toFixed(2)} % of ${limit} %${less}`];
+  const less = beyond ? ` (${grouped(beyond.faces)} faces: ${besideLimit(beyond.error, limit)} %)` : '';
+  return [`frequencies within ${besideLimit(error, limit)} % of ${limit} %${less}`];
 }
 
 /** How near the results move in the solver that they are tuned for; none without one. */

@@ -9,6 +9,15 @@ export function counted(count: number, one: string, many = `${one}s`): string {
   return `${grouped(count)} ${count === 1 ? one : many}`;
 }
 
+/** A number beside a limit of it: two digits after the point, or one more than the limit has, which tells the two apart. */
+export function besideLimit(value: number, limit: number): string {
+  let digits = 1;
+  while (digits < MOST_DIGITS && Number(limit.toFixed(digits)) !== limit) ++digits;
+  return value.toFixed(digits + 1);
+}
+
+const MOST_DIGITS = 20;
+
 /** Letters of a text from a file that a sentence quotes at most. */
 const QUOTED = 100;
 

@@ -2,7 +2,7 @@
 
 import type { PreparedBody } from '../body/prepared_body';
 import { sum } from '../core/mesh';
-import { counted, grouped } from '../core/words';
+import { besideLimit, counted, grouped } from '../core/words';
 import { worstSurface } from '../report/result_report';
 import { describeRefused, isBlockedBySeams, stopReport } from '../report/stop_report';
 import type { StoppedBody } from '../report/stop_report';
@@ -101,7 +101,7 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
   const { name = '' } = stopped;
   const others =
     guarded.length > 1 ? ` and ${counted(guarded.length - 1, 'other body', 'other bodies')}` : '';
-  return `${where}${name}${others} stopped at ${writtenFaces([stopped])}, ${deviation.toFixed(2)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
+  return `${where}${name}${others} stopped at ${writtenFaces([stopped])}, ${besideLimit(deviation, limit)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
 }
 
 /** The faces as they are in the file, and how many count for targets where these are fewer. */
@@ -125,10 +125,14 @@ export function brokenLimits(
     named.has(name) && limit > 0 && value > ROUNDING * limit;
   return [
     ...(isBroken('maxDeviation', maxDeviation, found.deviation)
-      ? [`The surface deviates by ${found.deviation.toFixed(2)} %, not by at most ${maxDeviation} %`]
+      ? [
+          `The surface deviates by ${besideLimit(found.deviation, maxDeviation)} %, not by at most ${maxDeviation} %`,
+        ]
       : []),
     ...(isBroken('maxFrequencyError', maxFrequencyError, found.frequencyError)
-      ? [`Frequencies are off by ${found.frequencyError.toFixed(2)} %, not by at most ${maxFrequencyError} %`]
+      ? [
+          `Frequencies are off by ${besideLimit(found.frequencyError, maxFrequencyError)} %, not by at most ${maxFrequencyError} %`,
+        ]
       : []),
   ];
 }
