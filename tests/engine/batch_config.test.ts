@@ -250,6 +250,13 @@ describe('the summary', () => {
     expect(html).toMatch(/^<!doctype html>\n<!-- Limber \d/);
   });
 
+  it('begins as CSV with the mark by which Excel knows UTF-8, and once', () => {
+    const csv = summaryCsv(summaryOf([{ ...failedRecord('набор.obj', 'no'), isUnchanged: false }], 1));
+    expect(csv.split('\ufeff')).toEqual(['', expect.stringMatching(/^asset,state,/)]);
+    expect(Buffer.from(csv).subarray(0, 3).toString('hex')).toBe('efbbbf');
+    expect(csv).toContain('\r\nнабор.obj,failed');
+  });
+
   it('counts no faces of what failed', () => {
     const done = {
       ...failedRecord('b', ''),

@@ -1,4 +1,4 @@
-/** The summary as CSV (RFC 4180). */
+/** The summary as CSV (RFC 4180) in UTF-8. */
 
 import { cell } from '../../engine/report/tables/csv_cell';
 import type { Summary, SummaryRow } from './summary';
@@ -18,10 +18,13 @@ const COLUMNS = [
   ['sentences', (row) => row.sentences.join('; ')],
 ] as const satisfies [string, (row: SummaryRow) => string | number | null][];
 
+/** Without this mark Excel reads UTF-8 as the code page of the system. */
+const BYTE_ORDER_MARK = '\ufeff';
+
 export function summaryCsv({ assets }: Summary): string {
   const rows = [
     COLUMNS.map(([title]) => title),
     ...assets.map((row) => COLUMNS.map(([, read]) => read(row))),
   ];
-  return rows.map((row) => `${row.map(cell).join(',')}\r\n`).join('');
+  return BYTE_ORDER_MARK + rows.map((row) => `${row.map(cell).join(',')}\r\n`).join('');
 }
