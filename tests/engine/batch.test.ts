@@ -76,7 +76,11 @@ describe('limber batch', () => {
     expect(deviation).toBeGreaterThan(0);
     const html = bytes('out/summary.html').toString();
     expect(html.match(/<img src="data:image\/png;base64,iVBOR/g)).toHaveLength(3);
-    expect(html).not.toMatch(/src="(?!data:)|href=/);
+    expect(html).not.toMatch(/src="(?!data:)/);
+    const links = Array.from(html.matchAll(/href="([^"]*)"/g), ([, address]) => address);
+    expect(links.sort()).toEqual(['ring.glb', 'sheets/sheet.glb', 'table.glb']);
+    for (const size of [statSync(path('src/ring.obj')).size, bytes('out/ring.glb').length])
+      expect(html).toContain(`<td>${size.toLocaleString('en-US')}</td>`);
     expect(bytes('out/summary.csv').toString().split('\r\n')).toHaveLength(5);
     expect(readdirSync(path('out/.limber-batch')).sort()).toEqual(['manifest.json', 'pictures']);
   });

@@ -257,6 +257,17 @@ describe('the summary', () => {
     expect(csv).toContain('\r\nнабор.obj,failed');
   });
 
+  it('leads to the model of a result, not to what it names, whatever its letters', () => {
+    const names = ['a.bin', 'x/50 % "off" #1?.gltf', 'x/50 % "off" #1?_lod1.gltf'];
+    const written = names.map((name) => ({ name, bytes: 1, sha256: '' }));
+    const done = { ...failedRecord('b', ''), state: 'done' as const, written, isUnchanged: false };
+    const html = summaryHtml(summaryOf([done], 1), () => null);
+    expect(html.match(/href="[^"]*"/g)).toEqual(['href="x/50%20%25%20%22off%22%20%231%3F.gltf"']);
+    expect(html).toContain('>x/50 % &quot;off&quot; #1?.gltf</a>');
+    expect(summaryCsv(summaryOf([done], 1))).toContain('"x/50 % ""off"" #1?.gltf"');
+    expect(summaryHtml(summary, () => null)).not.toContain('href');
+  });
+
   it('counts no faces of what failed', () => {
     const done = {
       ...failedRecord('b', ''),

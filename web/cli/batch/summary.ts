@@ -2,6 +2,7 @@
 
 import { VERSION } from '../../engine/core/version';
 import { counted, grouped } from '../../engine/core/words';
+import { isModelName } from '../../engine/document/format_names';
 import { percent } from '../words';
 import type { AssetRecord, AssetState } from './record';
 
@@ -33,6 +34,10 @@ export interface SummaryTotals {
   /** of this run, from its start to its end */
   seconds: number;
 }
+
+/** The model among what was written, below OUT, before which its companions stand and after which its levels; null: there is none. */
+export const resultOf = ({ written }: Pick<AssetRecord, 'written'>): string | null =>
+  written.find(({ name }) => isModelName(name) || /\.zip$/i.test(name))?.name ?? null;
 
 /** Rows in the order of their names. */
 export function summaryOf(rows: SummaryRow[], seconds: number): Summary {

@@ -1,13 +1,14 @@
 /** The summary as CSV (RFC 4180) in UTF-8. */
 
 import { cell } from '../../engine/report/tables/csv_cell';
+import { resultOf } from './summary';
 import type { Summary, SummaryRow } from './summary';
 
 const COLUMNS = [
   ['asset', (row) => row.asset],
   ['state', (row) => row.state],
   ['up to date', (row) => (row.isUnchanged ? 'yes' : 'no')],
-  ['result', (row) => row.written[0]?.name ?? ''],
+  ['result', resultOf],
   ['faces before', (row) => row.facesBefore],
   ['faces after', (row) => row.facesAfter],
   ['deviation in %', (row) => row.deviation],

@@ -2,23 +2,25 @@
 
 import { VERSION } from '../../engine/core/version';
 import { grouped } from '../../engine/core/words';
-import { describeTotals } from './summary';
+import { describeTotals, resultOf } from './summary';
 import type { Summary, SummaryRow } from './summary';
 
 const STYLES = `
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem; color: #1c2330; background: #fff; }
 table { border-collapse: collapse; }
-th, td { padding: .35rem .8rem; text-align: right; border-bottom: 1px solid #dde2ea; vertical-align: middle; }
+th, td { padding: .35rem .6rem; text-align: right; border-bottom: 1px solid #dde2ea; vertical-align: middle; }
 th { position: sticky; top: 0; background: #fff; }
-th:first-child, td:first-child, td.text { text-align: left; }
-td:first-child { overflow-wrap: anywhere; max-width: 26rem; }
-td.text { max-width: 30rem; overflow-wrap: anywhere; }
+th:first-child, th:last-child, td:first-child, td.text { text-align: left; }
+td:first-child { overflow-wrap: anywhere; min-width: 11rem; max-width: 26rem; }
+td.text { min-width: 14rem; max-width: 30rem; overflow-wrap: anywhere; }
 tr.failed td.text { color: #a3171b; }
 tr.missed td.text { color: #7a4b00; }
+td:first-child a { font-size: .85em; color: #1d5bb8; }
 img { display: block; }
 @media (prefers-color-scheme: dark) {
   body, th { color: #e5e9f0; background: #15181e; }
   th, td { border-color: #333a46; }
+  td:first-child a { color: #8ab6ff; }
   tr.failed td.text { color: #ff8d8f; }
   tr.missed td.text { color: #e8b45c; }
 }`;
@@ -68,6 +70,8 @@ const HEADS = [
   'Faces after',
   'Deviation',
   'Frequency error',
+  'Bytes before',
+  'Bytes after',
   'Seconds',
   'State',
 ];
@@ -82,13 +86,21 @@ function htmlRow(row: SummaryRow, picture: Uint8Array | null): string {
     ? `<img src="data:image/png;base64,${data}" alt="${escape(row.asset)} before and after" loading="lazy">`
     : '';
   const cells = [
-    escape(row.asset),
+    `${escape(row.asset)}${linkTo(resultOf(row))}`,
     image,
     ...[number(row.facesBefore), number(row.facesAfter), share(row.deviation), share(row.frequencyError)],
+    ...[number(row.bytesBefore), number(row.bytesAfter)],
     row.seconds.toFixed(2),
   ].map((html) => `<td>${html}</td>`);
   const words = [state, ...row.sentences].map(escape).join('<br>');
   return `<tr class="${row.state}">${cells.join('')}<td class="text">${words}</td></tr>`;
+}
+
+/** The page stands in OUT, below which results are. A letter that is half of one, as names on Windows can have, is in no address. */
+function linkTo(result: string | null): string {
+  if (result === null) return '';
+  const parts = Buffer.from(result).toString().split('/');
+  return `<br><a href="${escape(parts.map(encodeURIComponent).join('/'))}">${escape(result)}</a>`;
 }
 
 const ENTITIES: Record<string, string> = {
