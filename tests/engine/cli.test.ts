@@ -586,12 +586,17 @@ describe('help', () => {
   it('exists for every command and fits into 100 columns', () => {
     for (const words of [
       ['--help'],
+      ['completion', '--help'],
       ...['optimize', 'modes', 'compare', 'simulate', 'inspect'].map((name) => [name, '--help']),
     ]) {
       const { code, stdout, stderr } = limber(...words);
       expect([code, stderr]).toEqual([0, '']);
       for (const line of stdout.split('\n')) expect(line.length).toBeLessThanOrEqual(100);
     }
+    for (const name of ['batch', 'completion']) expect(limber('help', name)).toEqual(limber(name, '--help'));
+    expect(limber('help')).toEqual(limber('--help'));
+    expect(limber('help', 'optimise').stderr).toContain('did you mean "optimize"?');
+    expect(limber('help', 'modes', 'compare').stderr).toContain('"compare" is one command too many');
     expect(limber('--version').stdout).toBe(`${VERSION}\n`);
   });
 });

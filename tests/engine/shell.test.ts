@@ -39,6 +39,11 @@ _limber; printf '%s\\n' "\${COMPREPLY[@]}"`;
     expect(offered('limber', 'optimize', 'a.glb', '--format', 'obj')).toEqual(['obj', 'obj.zip']);
     expect(offered('limber', 'completion', 'f')).toEqual(['fish']);
     expect(offered('limber', 'inspect', '--jo')).toEqual(['']);
+    expect(offered('limber', '--')).toEqual(['--help', '--version']);
+    expect(offered('limber', '')).not.toContain('--help');
+    expect(offered('limber', 'help', 'o')).toEqual(['optimize']);
+    expect(offered('limber', 'help', 'c')).toEqual(['compare', 'completion']);
+    expect(offered('limber', 'completion', '--')).toEqual(['--help']);
   });
 
   it('knows the words of flags that take words', () => {

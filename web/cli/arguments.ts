@@ -70,7 +70,8 @@ export type Question = { show: 'help'; command: Command | null } | { show: 'vers
 /** Throws UsageError or SettingError. */
 export function parseArguments(words: string[]): Arguments | Question {
   const [first, ...rest] = words;
-  if (first === undefined || ['help', '--help', '-h'].includes(first)) return { show: 'help', command: null };
+  if (first === undefined || ['--help', '-h'].includes(first)) return { show: 'help', command: null };
+  if (first === 'help') return { show: 'help', command: helpedCommand(rest) };
   if (['--version', '-v', 'version'].includes(first)) return { show: 'version' };
   const command = commandNamed(first);
   const { values, operands } = readFlags(command, rest);
@@ -110,6 +111,13 @@ export function parseArguments(words: string[]): Arguments | Question {
 
 const readMemory = (text: string | undefined): number | null =>
   text === undefined ? null : coreMemory(text, '--memory');
+
+/** The command that limber help is asked about; null: all of them. */
+function helpedCommand([word, other]: string[]): Command | null {
+  if (other !== undefined)
+    throw new UsageError(`"${other}" is one command too many: limber help COMMAND, or limber help.`);
+  return word === undefined || word.startsWith('-') ? null : commandNamed(word);
+}
 
 function commandNamed(word: string): Command {
   const command = COMMANDS.find((candidate) => candidate === word);

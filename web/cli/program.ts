@@ -47,6 +47,7 @@ export function endWithoutOutput(error: NodeJS.ErrnoException): void {
 
 async function runWords(words: string[]): Promise<number> {
   if (words[0] === 'completion') return (await import('./shell/completion')).runCompletion(words.slice(1));
+  if (words[0] === 'help' && words[1] === 'completion') return runWords(['completion', '--help']);
   const parsed = parseArguments(words);
   if (!('show' in parsed)) return parsed.dryRun ? dryRun(parsed) : run(parsed);
   const text = parsed.show === 'version' ? VERSION : (await import('./help')).helpText(parsed.command);

@@ -9,8 +9,20 @@ const SHELLS = { bash: bashScript, zsh: zshScript, fish: fishScript } as const;
 export type Shell = keyof typeof SHELLS;
 const SHELL_NAMES = Object.keys(SHELLS) as Shell[];
 
-/** Writes the script to stdout. Throws UsageError. */
+const HELP = `limber completion ${SHELL_NAMES.join('|')}
+Write a script that completes commands, flags and the words that flags take.
+
+  bash   eval "$(limber completion bash)" in ~/.bashrc
+  zsh    limber completion zsh > a file _limber in a folder of $fpath
+  fish   limber completion fish > ~/.config/fish/completions/limber.fish
+`;
+
+/** Writes the script, or its help, to stdout. Throws UsageError. */
 export function runCompletion(words: string[]): number {
+  if (words.some((word) => word === '--help' || word === '-h')) {
+    process.stdout.write(HELP);
+    return EXIT.done;
+  }
   const shell = SHELL_NAMES.find((name) => name === words[0]);
   if (!shell || words.length > 1)
     throw new UsageError(`limber completion takes one of ${SHELL_NAMES.join(', ')}.`);
@@ -28,6 +40,10 @@ export function wordsOf({ value = '' }: Flag): string[] {
 
 const takesFile = ({ value = '' }: Flag): boolean => /FILE|OUT/.test(value);
 const others = ['completion', 'help', 'version'];
+/** Flags that stand in place of a command, without their dashes. */
+const QUESTIONS = ['help', 'version'];
+/** What limber help is asked about. */
+const HELPED = [...COMMANDS, 'completion'];
 const quoted = (text: string): string => `'${text.replaceAll("'", "'\\''")}'`;
 
 function bashScript(): string {
@@ -43,11 +59,15 @@ function bashScript(): string {
 _limber() {
   local current=\${COMP_WORDS[COMP_CWORD]} previous=\${COMP_WORDS[COMP_CWORD-1]} flags=
   if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W ${quoted([...COMMANDS, ...others].join(' '))} -- "$current"))
+    case $current in
+      -*) COMPREPLY=($(compgen -W ${quoted(QUESTIONS.map((name) => `--${name}`).join(' '))} -- "$current")) ;;
+      *) COMPREPLY=($(compgen -W ${quoted([...COMMANDS, ...others].join(' '))} -- "$current")) ;;
+    esac
     return
   fi
   case $previous in
-    completion) COMPREPLY=($(compgen -W ${quoted(SHELL_NAMES.join(' '))} -- "$current")); return ;;
+    completion) COMPREPLY=($(compgen -W ${quoted([...SHELL_NAMES, '--help'].join(' '))} -- "$current")); return ;;
+    help) COMPREPLY=($(compgen -W ${quoted(HELPED.join(' '))} -- "$current")); return ;;
 ${choices.map(([name, own]) => `    --${name}) COMPREPLY=($(compgen -W ${quoted(own.join(' '))} -- "$current")); return ;;`).join('\n')}
   esac
   case \${COMP_WORDS[1]} in
@@ -88,6 +108,7 @@ _limber() {
   local -a commands=(${commands.join(' ')} ${others.map((name) => quoted(name)).join(' ')})
   if (( CURRENT == 2 )); then
     _describe command commands
+    compadd -- ${QUESTIONS.map((name) => `--${name}`).join(' ')}
     return
   fi
   local command=$words[2]
@@ -95,6 +116,7 @@ _limber() {
   (( CURRENT-- ))
   case $command in
     completion) _values shell ${SHELL_NAMES.join(' ')} ;;
+    help) compadd -- ${HELPED.join(' ')} ;;
 ${cases.join('\n')}
   esac
 }
@@ -121,7 +143,9 @@ function fishScript(): string {
   );
   return `# fish completion of limber: limber completion fish > ~/.config/fish/completions/limber.fish
 ${[...commands, ...others.map((name) => `complete -c limber -f ${isFirst} -a ${name}`)].join('\n')}
+${QUESTIONS.map((name) => `complete -c limber -f ${isFirst} -l ${name}`).join('\n')}
 complete -c limber -x -n '__fish_seen_subcommand_from completion' -a ${fishText(SHELL_NAMES.join(' '))}
+complete -c limber -x -n '__fish_seen_subcommand_from help' -a ${fishText(HELPED.join(' '))}
 ${flags.join('\n')}
 `;
 }
