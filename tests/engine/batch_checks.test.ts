@@ -70,6 +70,17 @@ describe('before any work limber batch', () => {
     refuses(['src', 'out', '--config', 'b.json'], `b.obj: ${compressed}`);
   });
 
+  it('leaves out the compression of a preset where the format has none, and says so once', () => {
+    const words = ['src', 'out', '--preset', 'mobile', '--format', 'obj', '--dry-run'];
+    const note = 'limber: OBJ cannot be compressed: quantized of --preset mobile is left out.\n';
+    expect(batch(words)).toMatchObject({ code: 0, stderr: note });
+    configure({ overrides: [{ files: 'b.obj', options: { compress: 'quantized' } }] });
+    refuses(
+      [...words.slice(0, -1), '--config', 'b.json'],
+      'b.obj: OBJ cannot be compressed by quantized: write .glb or .gltf, or leave it out.',
+    );
+  });
+
   it('refuses settings files where no asset has a solver', () => {
     const sentence = expect.stringMatching(
       /^limber: --settings-files needs a solver: --solver shell\|/,

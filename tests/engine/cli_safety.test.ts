@@ -288,6 +288,23 @@ describe('--dry-run', () => {
     rmSync(path('beside.bin'));
   });
 
+  it('leaves out the compression of a preset where the format has none, as the run does', () => {
+    const note = 'OBJ cannot be compressed: meshopt of --preset web is left out';
+    expect(limber('optimize torus.obj web.obj --preset web --dry-run').stdout).toContain(`\n${note}\n`);
+    expect(limber('optimize torus.obj web.obj --method qem --preset web')).toMatchObject({
+      code: 0,
+      stderr: `limber: ${note}.\n`,
+    });
+    limber('optimize torus.obj plain.obj --method qem');
+    expect(readFileSync(path('web.obj'), 'utf8')).toBe(readFileSync(path('plain.obj'), 'utf8'));
+    expect(limber('optimize torus.obj web2.obj --preset web --compress draco').stderr).toBe(
+      'limber: OBJ cannot be compressed by draco: write .glb or .gltf, or leave it out.\n',
+    );
+    limber('optimize torus.obj like.glb --method qem --preset web --like-input');
+    limber('optimize torus.obj default.glb --method qem');
+    expect(readFileSync(path('like.glb')).equals(readFileSync(path('default.glb')))).toBe(true);
+  });
+
   it('refuses what the run would refuse', () => {
     writeFileSync(path('kept.json'), 'precious');
     expect(limber('optimize torus.obj dry.glb --report kept.json --dry-run')).toMatchObject({

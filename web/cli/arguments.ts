@@ -211,11 +211,12 @@ function settingsFrom(command: Command, values: Map<string, string>): Settings {
   return settings;
 }
 
-/** --like-input is the default, said aloud. */
+/** --like-input is the default, said aloud: it counts over that of a preset. */
 function readLikeInput(values: Map<string, string>): void {
   const other = values.get('compress') ?? 'like-input';
   if (other !== 'like-input')
     throw new UsageError(`--like-input and --compress ${other} contradict each other: give one of them.`);
+  values.set('compress', other);
 }
 
 /** What is asked of a solver needs one; a command that tunes needs a file for what it finds. */

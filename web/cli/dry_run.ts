@@ -13,6 +13,7 @@ import { checkFiles } from './inputs';
 import { checkModelOutputs, checkPassedOn } from './output_files/model_outputs';
 import { checkRoom, sizeOfModel } from './output_files/outputs';
 import type { Output } from './output_files/outputs';
+import { withoutYielded } from './output_files/preset_compression';
 import { shownName, shownOutput, STANDARD } from './standard';
 import { counted, grouped } from '../engine/core/words';
 import { plain } from './words';
@@ -31,7 +32,10 @@ export async function runDry(args: Arguments): Promise<number> {
     const isEmpty = model.bodies.length === 0;
     if (isEmpty) checkPassedOn(args, model);
     const chosen = isEmpty ? [] : chosenBodies(model, args.settings);
-    companions.push(...checkModelOutputs({ args, checked, isHosted: false }, model, chosen).companions);
+    const yielded = withoutYielded(args, model);
+    lines.push(...yielded.notes);
+    const asked = { args: yielded.args, checked, isHosted: false };
+    companions.push(...checkModelOutputs(asked, model, chosen).companions);
   }
   for (const output of outputs) lines.push(`would write ${describeOutput(output)}`);
   for (const companion of companions) lines.push(`would write ${companion}, which belongs to OUT`);

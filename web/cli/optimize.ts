@@ -21,6 +21,7 @@ import { writeLevels } from './levels';
 import type { WrittenLevels } from './levels';
 import { levelLine, summaryLine, tuningLines } from './optimize_words';
 import { checkModelOutputs, checkPassedOn, fileName, saveFiles } from './output_files/model_outputs';
+import { withoutYielded } from './output_files/preset_compression';
 import { finish, openAnyFile, prepareFile, save, writeOutput, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
@@ -53,9 +54,11 @@ export async function optimizeModel(
   session: Session,
   { total, lap }: Watches,
 ): Promise<Optimized | PassedOn> {
-  const { args } = session;
-  const [input, path] = args.operands;
+  const [input, path] = session.args.operands;
   const model = await openAnyFile(session, input);
+  const { args, notes } = withoutYielded(session.args, model);
+  session.args = args;
+  session.warnings.push(...notes);
   if (model.bodies.length === 0) return passOn(session, model);
   const load = lap();
   const written = checkModelOutputs(session, model, chosenBodies(model, args.settings));

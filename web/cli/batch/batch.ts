@@ -61,7 +61,7 @@ export async function runBatch(args: Arguments): Promise<number> {
   }
 }
 
-/** `notes`: what of the configuration counts for nothing. Throws where it, a source or a setting is not usable: nothing is begun then. */
+/** `notes`: what of the configuration or a preset counts for nothing. Throws where it, a source or a setting is not usable: nothing is begun then. */
 function readRequests(args: Arguments, out: string): { requests: AssetRequest[]; notes: string[] } {
   const words = args.operands.slice(0, -1);
   if (args.operands.includes(STANDARD))
@@ -71,7 +71,8 @@ function readRequests(args: Arguments, out: string): { requests: AssetRequest[];
   const sources = findSources(words, out).filter(({ name }) => !isExcluded(config, name));
   if (sources.length === 0) throw new UsageError(`${path} excludes all models: give fewer patterns.`);
   const names = sources.map(({ name }) => name);
-  return { requests: requestsOf(config, args, sources), notes: unusedPatterns(config, names, path ?? '') };
+  const { requests, notes } = requestsOf(config, args, sources);
+  return { requests, notes: [...unusedPatterns(config, names, path ?? ''), ...notes] };
 }
 
 /** How many work, with what. */

@@ -10,6 +10,7 @@ import type { AssetOptions, BatchConfig } from '../../engine/settings/batch_conf
 import { checkForm, outputForm } from '../../engine/document/write/output_form';
 import type { Arguments } from '../arguments';
 import { describeFailure, UsageError } from '../failure';
+import { describeYielded } from '../output_files/preset_compression';
 import { sentenceOn } from './progress';
 import { assetsOf } from './sources';
 import type { Asset, Source } from './sources';
@@ -53,18 +54,38 @@ export interface AssetRequest {
   unasked: SettingName[];
 }
 
-/** The request of every source. Throws SettingError where settings that are allowed each do not go together. */
-export function requestsOf(config: BatchConfig, args: Arguments, sources: Source[]): AssetRequest[] {
+/**
+ * The request of every source; `notes`: what of a preset gives way. Throws SettingError or UsageError where settings that are allowed each
+ * do not go together.
+ */
+export function requestsOf(
+  config: BatchConfig,
+  args: Arguments,
+  sources: Source[],
+): { requests: AssetRequest[]; notes: string[] } {
   const flags = optionsOfFlags(args);
   const ofPresets = namesOfPresets(args);
-  const optionsOf = new Map(sources.map(({ name }) => [name, optionsFor(config, name, flags)]));
-  checkOptions(optionsOf);
-  const assets = assetsOf(sources, (name) => endingOf(optionsOf.get(name)!));
-  return assets.map((asset) => {
-    const named = optionsFor(config, asset.name, {});
-    const unasked = ofPresets.filter((name) => named[name] === undefined);
-    return { asset, options: optionsOf.get(asset.name)!, unasked };
-  });
+  const notes = new Set<string>();
+  const asked = new Map(
+    sources.map(({ name }) => {
+      const named = optionsFor(config, name, {});
+      const unasked = ofPresets.filter((one) => named[one] === undefined);
+      const options = optionsFor(config, name, flags);
+      const note = unasked.includes('compress') ? noteOnCompression(options, args) : null;
+      if (note === null) return [name, { options, unasked }];
+      notes.add(note);
+      return [name, { options: { ...options, compress: undefined }, unasked }];
+    }),
+  );
+  checkOptions(new Map([...asked].map(([name, { options }]) => [name, options])));
+  const assets = assetsOf(sources, (name) => endingOf(asked.get(name)!.options));
+  return { requests: assets.map((asset) => ({ asset, ...asked.get(asset.name)! })), notes: [...notes] };
+}
+
+/** What is said where the compression of a preset gives way; null: it does not. */
+function noteOnCompression(options: AssetOptions, { preset }: Arguments): string | null {
+  const { format } = outputForm(`.${endingOf(options)}`, 'auto', 'glb');
+  return describeYielded(format, settingsFor(options), preset);
 }
 
 /** Throws where settings of an asset do not go together, or its format cannot have them. Each combination is looked at once. */

@@ -74,6 +74,10 @@ export function resultName(input: string, choice: FormatChoice): string {
   return `${stem}.${choice === 'auto' ? 'glb' : choice}`;
 }
 
+/** Whether a compression is one that only GLB and glTF can have. */
+export const isCompressed = (compression: Compression): boolean =>
+  compression !== 'like-input' && compression !== 'none';
+
 /** Throws an Error with one sentence where the format cannot have what is asked for. `levels`: further levels of detail. */
 export function checkForm(
   { format }: OutputForm,
@@ -81,7 +85,7 @@ export function checkForm(
 ): void {
   if (format === 'glb' || format === 'gltf') return;
   const name = format.toUpperCase();
-  if (compression !== 'like-input' && compression !== 'none')
+  if (isCompressed(compression))
     throw new Error(`${name} cannot be compressed by ${compression}: write .glb or .gltf, or leave it out.`);
   if (style !== 'files' && levels > 0)
     throw new Error(
