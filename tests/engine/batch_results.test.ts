@@ -69,6 +69,15 @@ describe('files beside results', () => {
     expect(batch('src').done).toBe(0);
   });
 
+  it('count among the bytes of the result, which levels and reports do not', () => {
+    batch('src', '--lods', '0.5', '--reports');
+    const { assets } = JSON.parse(bytes('out/summary.json').toString()) as Summary;
+    const sizes = ['a.gltf', 'a.bin', 'wood.png'].map((name) => bytes(`out/${name}`).length);
+    expect(assets[0].bytesAfter).toBe(sizes.reduce((all, size) => all + size));
+    const before = ['a.gltf', 'a.bin', 'wood.png'].map((name) => bytes(`src/${name}`).length);
+    expect(assets[0].bytesBefore).toBe(before.reduce((all, size) => all + size));
+  });
+
   it('hold nothing up where the model or the memory is gone, as after a kill', () => {
     batch('src');
     remove('out/a.gltf');

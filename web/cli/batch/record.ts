@@ -20,6 +20,7 @@ export interface AssetNumbers {
   /** mean error of the first ten frequencies, in %; of the part where it is largest */
   frequencyError: number | null;
   seconds: number;
+  /** of the model with what it names, before and after; levels and reports do not count */
   bytesBefore: number;
   bytesAfter: number | null;
 }

@@ -7,6 +7,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative, sep } from 'node:path';
 import { materialOf } from '../../engine/body/material';
 import type { Core } from '../../engine/core/core';
+import { sum } from '../../engine/core/mesh';
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { isModelName } from '../../engine/document/format_names';
 import { worstFidelity } from '../../engine/report/result_report';
@@ -83,7 +84,7 @@ async function optimizeAsset(session: Session, order: WorkOrder, files: StagedFi
   const sources = [...session.checked.files.values()][0];
   const bytesBefore = sources.reduce((sum, { bytes }) => sum + bytes.length, 0);
   if (!('report' in done)) {
-    const numbers = { ...NO_NUMBERS, bytesBefore, bytesAfter: mainOf(order, files).bytes };
+    const numbers = { ...NO_NUMBERS, bytesBefore, bytesAfter: bytesOfResult(order, files) };
     return { state: 'done', sentences: [done.passedOn], numbers, picture: null };
   }
   try {
@@ -93,7 +94,7 @@ async function optimizeAsset(session: Session, order: WorkOrder, files: StagedFi
     return {
       state: missed.length > 0 ? 'missed' : 'done',
       sentences: [...missed, ...warningLines(session.warnings, session.args.verbose)],
-      numbers: { ...numbersOf(session, done, order), bytesBefore, bytesAfter: mainOf(order, files).bytes },
+      numbers: { ...numbersOf(session, done, order), bytesBefore, bytesAfter: bytesOfResult(order, files) },
       picture: await pictureOf(done, order, files),
     };
   } finally {
@@ -129,6 +130,10 @@ function frequencyErrorOf({ core, args }: Session, output: Optimized['output']):
 /** The result itself among what was written. */
 const mainOf = ({ args }: WorkOrder, files: StagedFile[]): StagedFile =>
   files.find(({ path }) => path === args.operands[1])!;
+
+/** Bytes of the result with what belongs to it, which is written before it; levels and reports come after. */
+const bytesOfResult = (order: WorkOrder, files: StagedFile[]): number =>
+  sum(files.slice(0, files.indexOf(mainOf(order, files)) + 1).map(({ bytes }) => bytes));
 
 /** A model that cannot be drawn is no failure. */
 async function pictureOf({ file }: Optimized, order: WorkOrder, files: StagedFile[]): Promise<string | null> {
