@@ -232,7 +232,7 @@ test('a limit that stops the slider is named, and so is a missing symmetry', asy
   await expect(page.getByLabel('Kept faces, exact')).toHaveValue('2');
   await page.keyboard.press('Enter');
   await expect(
-    page.getByText(/Stopped at [\d,]+ faces: with fewer the surface would go too far/),
+    page.getByText(/Stopped at [\d,]+ faces: the next collapses would take the surface/),
   ).toBeVisible();
   await page.locator('.right summary').first().click();
   await page.getByLabel('Keep the mirror symmetry').check();

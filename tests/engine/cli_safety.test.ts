@@ -169,6 +169,13 @@ describe('exit codes', () => {
     const ofPreset = limber('optimize torus.obj a.glb --method qem --preset mobile --ratio 0.9');
     expect(ofPreset.code).toBe(0);
     expect(ofPreset.stderr).toContain('a_lod2.glb: torus stopped at');
+    const finer = limber(
+      'optimize torus.obj a.glb --method qem --ratio 0.5 --lods 0.7,0.2 --max-deviation 0',
+    );
+    expect(finer.code).toBe(0);
+    expect(finer.stderr).toMatch(
+      /^limber: a_lod1.glb: a further level has \d+ faces, and the result \d+: give smaller shares of the original to --lods\.\n$/,
+    );
   });
 
   it('are 0 where the default of half the faces cannot be reached, with a note', () => {

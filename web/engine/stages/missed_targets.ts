@@ -89,9 +89,28 @@ export function missedTargets(
     unasked: [
       ...(isAsked ? [] : [...(hasCount ? [ofFile] : []), guard]),
       ...(named.has('lods') ? [] : ofLevels),
+      ...describeFinerLevels(output.stopped(), levels, nameOf),
     ].filter(isPresent),
   };
 }
+
+/** A sentence for each further level that has more faces than the result itself. */
+function describeFinerLevels(
+  first: StoppedBody[],
+  levels: StoppedLevel[],
+  nameOf: TargetWords['nameOf'],
+): string[] {
+  const faces = facesOf(first);
+  return levels
+    .filter(({ bodies }) => facesOf(bodies) > faces)
+    .map(
+      ({ bodies, file }) =>
+        `${file}: a further level has ${grouped(facesOf(bodies))} faces, and the result ${grouped(faces)}: give smaller shares of the original to ${nameOf('lods')}`,
+    );
+}
+
+const facesOf = (bodies: StoppedBody[]): number =>
+  sum(bodies.map(({ faces, duplicates }) => faces + (duplicates ?? 0)));
 
 /** Why bodies have more faces than was asked for, because the surface would go too far; '' where none has. */
 function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], where: string): string {

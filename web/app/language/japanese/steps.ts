@@ -190,8 +190,8 @@ export const STEPS: MessageTable = {
   'Stopped at {faces} faces: {reason}.': '{faces} 面で停止しました。{reason}。',
   ' Turn on “{control}” under More to go on.': '続けるには「詳細」の「{control}」をオンにしてください。',
   'Turn it on': 'オンにする',
-  'Stopped at {faces} faces: with fewer the surface would go too far, more than {limit} % of the diagonal.':
-    '{faces} 面で停止しました。これより減らすと、表面が対角線の {limit} % を超えて離れます。',
+  'Stopped at {faces} faces: the next collapses would take the surface more than {limit} % of the diagonal away.':
+    '{faces} 面で止まりました。次の縮約で表面が対角線の {limit} % を超えてずれるためです。',
   'Let it go farther': 'ずれの制限を外す',
   'the first six frequencies are off by at most {error} %': '最初の 6 つの周波数の誤差は最大 {error} %',
   'With {faces} faces {off}.': '{faces} 面で、{off}です。',

@@ -38,7 +38,7 @@ export function StopReason() {
       {guard && (
         <p class="hint warning">
           {say(
-            'Stopped at {faces} faces: with fewer the surface would go too far, more than {limit} % of the diagonal.',
+            'Stopped at {faces} faces: the next collapses would take the surface more than {limit} % of the diagonal away.',
             { faces: count(shown), limit: fixed(guard.limit, 2) },
           )}
         </p>
