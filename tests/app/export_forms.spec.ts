@@ -57,6 +57,8 @@ test('every format and compression is saved as the command line writes it', asyn
     const bytes = await saved(page, 'Save .glb');
     const written = await writtenByCommand(page, 'sheet-forms-limber.glb');
     expect(written.equals(bytes), compression).toBe(true);
+    const size = page.locator('.facts > div').filter({ hasText: 'File size' });
+    await expect(size).toContainText(`→ ${Math.round(bytes.length / 1000)}\u00a0kB`);
   }
   await page.getByLabel('Format').selectOption('ply');
   await expect(page.getByText('it reads GLB and glTF alone')).toBeVisible();

@@ -1,8 +1,10 @@
 /** What is asked of the export, and keys for what comes of it. */
 
+import { computed } from '@preact/signals';
 import { drawnLevelsKey, exportedFilesKey, exportKey } from '../worker/protocol';
 import type { ExportRequest } from '../worker/protocol';
 import { exportFormatOf, exportSettings } from '../worker/export_form';
+import { shownResultFile } from './drawn_file';
 import { keptFaces, results, wants } from './store';
 
 /** The name of a file without its folders and its ending. */
@@ -30,3 +32,20 @@ export const genericKey = (): string =>
   exportedFilesKey(exportSettings(wants.settings.value), keptFaces.value, exportRequest());
 
 export const levelsKey = (): string => drawnLevelsKey(wants.settings.value, keptFaces.value);
+
+/** Bytes of the file that the export saves; null while they are not known. */
+export const sizeAfter = computed((): number | null => {
+  const { value: exported } = results.exported;
+  if (exported?.key === exportedKey()) return exported.bytes.length;
+  return isWrittenAsDrawn() ? (shownResultFile.value?.bytes.length ?? null) : null;
+});
+
+/** Whether the export writes what the page draws: a plain GLB of the result alone. */
+function isWrittenAsDrawn(): boolean {
+  const { value: settings } = wants.settings;
+  const { compress, lods, lodStyle, solver } = settings;
+  const stored = compress === 'like-input' ? results.file.value!.stored : compress;
+  const isAlone = lods.length === 0 || lodStyle === 'files';
+  const isGlb = exportFormatOf(settings).value === 'auto';
+  return isGlb && stored === 'none' && isAlone && solver === 'none' && !wants.exportFields.value;
+}

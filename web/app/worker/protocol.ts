@@ -22,6 +22,7 @@ import type { HealthNote } from '../../engine/body/health';
 import type { FileContents } from '../../engine/document/facts/contents';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
+import type { Stored } from '../../engine/document/write/compression';
 import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
 import type { DeviationMark } from '../../engine/stages/budget/deviation_marks';
@@ -65,6 +66,8 @@ export interface OpenedFile {
   contents: FileContents;
   /** bytes of all its files */
   size: number;
+  /** how its vertices are stored */
+  stored: Stored['kind'];
   notes: string[];
   /** what an export leaves out, in plain words */
   dropped: string[];

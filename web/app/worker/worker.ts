@@ -174,6 +174,7 @@ const api: WorkerApi = {
         first: fresh.usable[0].i,
         contents: contentsOf(opened),
         size: files.reduce((all, { bytes }) => all + bytes.length, 0),
+        stored: opened.stored?.kind ?? 'none',
         notes: [...opened.notes, ...notes],
         dropped: droppedByExport(opened),
       };

@@ -1,7 +1,7 @@
 /** Step 1: what the file contains and what state it is in. */
 
 import { results } from '../../state/store';
-import { shownResultFile } from '../../state/drawn_file';
+import { sizeAfter } from '../../state/export_request';
 import { Section, SettingRange } from '../../controls/controls';
 import { count, fileSize, fixed } from '../../controls/numbers';
 import { SceneTree } from './scene_tree';
@@ -56,7 +56,7 @@ function FileNotes() {
 /** What an artist looks for in a file. */
 function Contents() {
   const { contents, size } = results.file.value!;
-  const after = shownResultFile.value?.bytes.length ?? null;
+  const after = sizeAfter.value;
   const rows: [string, string][] = [
     ['File size', after === null ? fileSize(size) : `${fileSize(size)} → ${fileSize(after)}`],
     ['UV sets', count(contents.uvSets)],
