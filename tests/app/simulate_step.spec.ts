@@ -53,7 +53,7 @@ test('both bodies move, and the numbers say how fast and how close they are', as
   const before = await picture(page);
   await untilTime(page, 0.5);
   expect(await picture(page)).not.toEqual(before);
-  await expect(readout(page, 'Original, per step')).toContainText(/ms\s*[\d.]+ µs\/substep/);
+  await expect(readout(page, 'Original, per step')).toContainText(/ms\s*[\d.]+\u00a0µs\/substep/);
   expect(await numberIn(page, 'Original, per step')).toBeGreaterThan(
     await numberIn(page, 'Optimized, per step'),
   );

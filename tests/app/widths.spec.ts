@@ -83,6 +83,26 @@ test('on a phone no label of a mesh lies under the choice of the view', async ({
   await context.close();
 });
 
+/** The words of read-outs that are cut or lie under the box of what is running, and by how much the box moves what is above it. */
+const hiddenByBusy = (page: Page): Promise<(string | number | null)[]> =>
+  page.evaluate(() => {
+    const line = document.querySelector('.foot-line')!;
+    const before = line.getBoundingClientRect().height;
+    line.querySelector('.busy')?.remove();
+    const busy = document.createElement('div');
+    busy.className = 'notice busy';
+    busy.innerHTML =
+      '<span class="what">Dressing the result</span><progress></progress><span>fitting 50 %</span><button>Cancel</button>';
+    line.append(busy);
+    const box = busy.getBoundingClientRect();
+    const words = [...line.querySelectorAll('.readouts :is(dt, strong, span)')].filter((word) => {
+      const { left, right, top, bottom } = word.getBoundingClientRect();
+      const isUnder = right > box.left && left < box.right && bottom > box.top && top < box.bottom;
+      return isUnder || right > innerWidth || word.scrollWidth > word.clientWidth + 1;
+    });
+    return [...words.map((word) => word.textContent), line.getBoundingClientRect().height - before];
+  });
+
 for (const { width, height } of [
   { width: 1440, height: 900 },
   { width: 820, height: 1100 },
@@ -95,25 +115,52 @@ for (const { width, height } of [
     await drop(page, writeScratch('tubes.glb', await standingTubes()));
     await goTo(page, 'Reduce');
     await expect(readout(page, 'Topology')).toContainText('handles');
-    const hidden = await page.evaluate(() => {
-      const line = document.querySelector('.foot-line')!;
-      const before = line.getBoundingClientRect().height;
-      line.querySelector('.busy')?.remove();
-      const busy = document.createElement('div');
-      busy.className = 'notice busy';
-      busy.innerHTML =
-        '<span class="what">Dressing the result</span><progress></progress><span>fitting 50 %</span><button>Cancel</button>';
-      line.append(busy);
-      const box = busy.getBoundingClientRect();
-      const words = [...line.querySelectorAll('.readouts :is(dt, strong, span)')].filter((word) => {
-        const { left, right, top, bottom } = word.getBoundingClientRect();
-        const isUnder = right > box.left && left < box.right && bottom > box.top && top < box.bottom;
-        return isUnder || right > innerWidth || word.scrollWidth > word.clientWidth + 1;
-      });
-      return [...words.map((word) => word.textContent), line.getBoundingClientRect().height - before];
-    });
-    expect(hidden).toEqual([0]);
+    expect(await hiddenByBusy(page)).toEqual([0]);
   });
+
+test('read-outs of the Test step are seen whole in one row, and what is running lies on none', async ({
+  page,
+}) => {
+  await openPage(page);
+  await goTo(page, 'Test');
+  await expect(readout(page, 'Speed-up')).toContainText('x');
+  await expect(readout(page, 'Stretch')).toContainText('optimized');
+  await page.getByRole('button', { name: 'Pause', exact: true }).click();
+  await expect(readout(page, 'Time')).toContainText('paused');
+  // Words are as long here as they get.
+  const longest = [
+    ['126.70 s', 'slow motion x0.35'],
+    ['38.2 ms', '1.91\u00a0ms/substep'],
+    ['0.510 ms', '25.5\u00a0µs/substep'],
+    ['x0.982', 'too few faces'],
+    ['0.0071 %', 'noise 0.0083 %'],
+    ['< 0.001 %', 'optimized < 0.001 %'],
+  ];
+  await page.locator('.readouts dd').evaluateAll((numbers, words) => {
+    numbers.forEach((number, i) =>
+      [...number.children].forEach((part, k) => (part.textContent = words[i][k])),
+    );
+  }, longest);
+  for (const width of [1280, 1366, 1440, 1920]) {
+    await page.setViewportSize({ width, height: 768 });
+    expect(await hiddenByBusy(page)).toEqual([0]);
+    const rows = await page
+      .locator('.readouts > div')
+      .evaluateAll((all) => all.map((each) => each.getBoundingClientRect().top));
+    expect(new Set(rows).size).toBe(1);
+    const line = (await page.locator('.foot-line').boundingBox())!;
+    expect(line.height).toBeLessThan(72);
+    const busy = (await page.locator('.foot-line .busy').boundingBox())!;
+    const legend = await page
+      .locator('.chart figcaption > span')
+      .evaluateAll((all) => Math.max(...all.map((each) => each.getBoundingClientRect().right)));
+    expect(busy.x).toBeGreaterThanOrEqual(legend);
+    const plot = (await page.locator('.plot svg').boundingBox())!;
+    expect(busy.y + busy.height).toBeLessThanOrEqual(plot.y + 1);
+    const stage = (await page.locator('.viewport canvas').boundingBox())!;
+    expect(busy.y).toBeGreaterThanOrEqual(stage.y + stage.height);
+  }
+});
 
 test('the legend lies below the picture where it takes two rows', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });

@@ -1,6 +1,7 @@
 /** What the Test step says in words of its numbers: of a speed-up that is none, and of a tuning that keeps the stiffness. */
 
 import { beforeEach, expect, it, vi } from 'vitest';
+import { shortTime } from '../../web/app/controls/numbers';
 import { describeSpeedUp, speedUp } from '../../web/app/panels/simulate/speed_up';
 import { changeSettings, results, view, wantedKey } from '../../web/app/state/store';
 import { haveLattice, keepsOwnStiffness, twin } from '../../web/app/state/twin';
@@ -21,11 +22,24 @@ it('a step that is not faster says what limits it', () => {
     return { original, optimized, haveLattice: isSolid };
   };
   expect(speedUp(times(0.0095, 0.01))).toBe('x0.950');
-  expect(describeSpeedUp(times(0.0095, 0.01, true))).toBe('set by the inside, the same in both');
-  expect(describeSpeedUp(times(0.00009, 0.0001))).toBe('so few faces take hardly any time');
+  expect(describeSpeedUp(times(0.0095, 0.01, true))).toBe('same inside');
+  expect(describeSpeedUp(times(0.00009, 0.0001))).toBe('too few faces');
   for (const plain of [times(0.02, 0.01, true), times(0.0095, 0.01), times(0, 0, true)])
-    expect(describeSpeedUp(plain)).toBe('original / optimized');
+    expect(describeSpeedUp(plain)).toBe('');
   expect(speedUp(times(0, 0))).toBe('...');
+});
+
+it('no time and no speed-up has an exponent', () => {
+  expect(speedUp({ original: 2, optimized: 0.001, haveLattice: false })).toBe('x2,000');
+  const times = [4e-9, 25.46e-6, 0.9996e-3, 1.914e-3, 0.9996, 1234];
+  expect(times.map((time) => shortTime(time).replace('\u00a0', ' '))).toEqual([
+    '0.00400 µs',
+    '25.5 µs',
+    '1.00 ms',
+    '1.91 ms',
+    '1.00 s',
+    '1,230 s',
+  ]);
 });
 
 it('bodies have an inside as solids of the program alone', () => {

@@ -1,8 +1,20 @@
 /** Numbers as the page writes them. */
 
-export { count } from '../language/say';
+import { count } from '../language/say';
+
+export { count };
 
 export const fixed = (value: number, digits: number): string => value.toFixed(digits);
+
+/** Three figures without an exponent; larger numbers whole. */
+export const figures = (value: number): string =>
+  value < 999.5 ? value.toPrecision(3) : count(Number(value.toPrecision(3)));
+
+/** A short time in the unit that leaves one to three figures before the point: "25.5 µs", "1.91 ms". */
+export const shortTime = (seconds: number): string => {
+  if (seconds < 999.5e-6) return `${figures(1e6 * seconds)}\u00a0µs`;
+  return seconds < 0.9995 ? `${figures(1000 * seconds)}\u00a0ms` : `${figures(seconds)}\u00a0s`;
+};
 
 /** Two decimals, or two figures where these would all be 0; values near rounding are given as a bound. */
 export const percent = (value: number): string => {

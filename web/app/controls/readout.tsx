@@ -9,7 +9,7 @@ interface ReadoutProps {
   note: string;
   isBad?: boolean;
   /** of value and note together; 'named': as others, and the value may be cut in place of the note */
-  width?: 'wide' | 'wider' | 'widest' | 'named';
+  width?: 'narrow' | 'wide' | 'wider' | 'widest' | 'named';
 }
 
 export function Readout({ name, value, note, isBad, width }: ReadoutProps) {

@@ -145,6 +145,7 @@ function OriginalReadouts() {
         name="Faces"
         value={count(inspection.faces)}
         note={sayCounted(inspection.vertices, '{count} vertex', '{count} vertices')}
+        width="wider"
       />
       <Readout name="Smallest angle" value={`${fixed(minAngle, 1)}°`} note="" />
       <Readout name="Mean of smallest" value={`${fixed(meanMinAngle, 1)}°`} note="" />

@@ -3,7 +3,7 @@
 import type { TwinFrame } from '../../worker/simulation_protocol';
 import { haveLattice, twin } from '../../state/twin';
 import { wants } from '../../state/store';
-import { fixed, percent } from '../../controls/numbers';
+import { figures, fixed, percent, shortTime } from '../../controls/numbers';
 import { Readout } from '../../controls/readout';
 import { drawnNoise } from './simulate_axes';
 import { describeSpeedUp, speedUp } from './speed_up';
@@ -19,7 +19,7 @@ export function SimulateReadouts() {
   const last = twin.samples.value.at(-1);
   const noise = drawnNoise(twin.samples.value);
   return (
-    <dl class="readouts" tabIndex={0}>
+    <dl class="readouts of-test" tabIndex={0}>
       <Readout
         name="Time"
         value={frame ? `${fixed(frame.time, 2)} s` : '...'}
@@ -28,22 +28,18 @@ export function SimulateReadouts() {
       />
       <Cost name="Original, per step" seconds={times.original} />
       <Cost name="Optimized, per step" seconds={times.optimized} />
-      <Readout name="Speed-up" value={speedUp(times)} note={describeSpeedUp(times)} width="wide" />
+      <Readout name="Speed-up" value={speedUp(times)} note={describeSpeedUp(times)} width="narrow" />
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
-        note={
-          noise === null
-            ? say('noise floor not measured')
-            : say('noise floor {noise}', { noise: percent(noise) })
-        }
-        width="wider"
+        note={noise === null ? say('no noise floor') : say('noise {noise}', { noise: percent(noise) })}
+        width="wide"
       />
       <Readout
         name="Stretch"
         value={frame ? percent(frame.bodies.original.stretch) : '...'}
         note={frame ? say('optimized {stretch}', { stretch: percent(frame.bodies.optimized.stretch) }) : ''}
-        width="wide"
+        width="widest"
       />
     </dl>
   );
@@ -58,13 +54,13 @@ function describePace(frame: TwinFrame | null): string {
 }
 
 function Cost({ name, seconds }: { name: string; seconds: number }) {
-  const perSubstep = (1e6 * seconds) / wants.settings.value.substeps;
   return (
     <Readout
       name={name}
-      value={seconds > 0 ? `${(1000 * seconds).toPrecision(3)} ms` : '...'}
-      note={seconds > 0 ? say('{time} µs/substep', { time: perSubstep.toPrecision(3) }) : ''}
-      width="wide"
+      value={seconds > 0 ? `${figures(1000 * seconds)} ms` : '...'}
+      note={
+        seconds > 0 ? say('{time}/substep', { time: shortTime(seconds / wants.settings.value.substeps) }) : ''
+      }
     />
   );
 }

@@ -1,5 +1,6 @@
 /** How much faster a step of the optimized mesh is, and in words what limits that. */
 
+import { figures } from '../../controls/numbers';
 import { say } from '../../language/say';
 
 /** A speed-up below this saves no time that counts. */
@@ -17,11 +18,12 @@ export interface StepTimes {
 }
 
 export const speedUp = ({ original, optimized }: StepTimes): string =>
-  original > 0 && optimized > 0 ? `x${(original / optimized).toPrecision(3)}` : '...';
+  original > 0 && optimized > 0 ? `x${figures(original / optimized)}` : '...';
 
+/** What limits the speed-up; '' where nothing does. */
 export function describeSpeedUp({ original, optimized, haveLattice }: StepTimes): string {
   const isSlow = optimized > 0 && original < LEAST_GAIN * optimized;
-  if (isSlow && haveLattice) return say('set by the inside, the same in both');
-  if (isSlow && original < SHORT_STEP) return say('so few faces take hardly any time');
-  return say('original / optimized');
+  if (isSlow && haveLattice) return say('same inside');
+  if (isSlow && original < SHORT_STEP) return say('too few faces');
+  return '';
 }
