@@ -214,7 +214,20 @@ const watchGif = (page: Page, bytes: Buffer) =>
     const changed = first.data.filter((value, i) => Math.abs(value - middle.data[i]) > 24).length;
     const { width, height, duration } = first;
     const isEndless = repetitionCount === Infinity;
-    return { width, height, duration, frameCount, isEndless, changed: changed / (4 * width * height) };
+    // Pixels in the orange of pins.
+    const orange = [first, middle].map(({ data: pixels }) => {
+      const isOrange = (i: number): boolean => pixels[i] > 200 && pixels[i + 1] < 130 && pixels[i + 2] < 80;
+      return pixels.filter((_, i) => i % 4 === 0 && isOrange(i)).length;
+    });
+    return {
+      width,
+      height,
+      duration,
+      frameCount,
+      isEndless,
+      orange,
+      changed: changed / (4 * width * height),
+    };
   }, bytes.toString('base64'));
 
 test('a turntable and the motion of the test are saved as GIFs', { tag: '@full' }, async ({ page }) => {
@@ -228,7 +241,7 @@ test('a turntable and the motion of the test are saved as GIFs', { tag: '@full' 
   await page.getByLabel('Seconds').press('Tab');
   const turntable = await saved(page, 'Save turntable');
   expect(turntable.name).toBe('bar-turntable.gif');
-  const { changed, ...turned } = await watchGif(page, turntable.bytes);
+  const { changed, orange: _, ...turned } = await watchGif(page, turntable.bytes);
   expect(turned).toEqual({ width: 480, height: 320, duration: 50_000, frameCount: 10, isEndless: true });
   expect(changed).toBeGreaterThan(0.005);
 
@@ -242,6 +255,8 @@ test('a turntable and the motion of the test are saved as GIFs', { tag: '@full' 
   expect(motion.name).toBe('bar-motion.gif');
   const moved = await watchGif(page, motion.bytes);
   expect(moved.frameCount).toBe(8);
+  // The pins are in every frame, also in the first, before anything moves.
+  for (const pixels of moved.orange) expect(pixels).toBeGreaterThan(100);
   expect(moved.changed).toBeGreaterThan(0.001);
 });
 

@@ -9,6 +9,7 @@ import { GifRecorder } from '../../viewer/picture/gif_recorder';
 import { Recorder } from '../../viewer/picture/recorder';
 import type { FrameRecorder, RecordedSize } from '../../viewer/picture/recorder';
 import type { Viewport } from '../../viewer/viewport';
+import { showTwin } from '../simulate/simulate_view';
 import type { PictureJob, VideoFormat } from './pictures_state';
 import { pictures } from './pictures_state';
 import { drawStage, sizeOf } from './stage_picture';
@@ -85,6 +86,8 @@ export async function recordTest(viewport: Viewport, job: PictureJob): Promise<U
       stepOnce();
       if (!(await frameAfter(time, job.signal))) return null;
     }
+    // The effects that move the bodies and their pins run with the next animation frame, which may come too late.
+    showTwin(viewport);
     return {};
   };
   return record(viewport, job, { frames: frameCount(), prepare });
@@ -102,8 +105,7 @@ function frameAfter(time: number, signal: AbortSignal): Promise<boolean> {
       const { value: frame } = twin.frame;
       if (twin.failure.value) return reject(new Error(twin.failure.value));
       if (view.step.value !== 'test' || (frame?.time ?? -1) < time) return resolve(false);
-      // The effects that move the bodies on the stage follow the same signal.
-      if (frame && frame.time > time) setTimeout(() => resolve(frame.diverged.length === 0));
+      if (frame && frame.time > time) resolve(frame.diverged.length === 0);
     });
   }).finally(() => stop());
 }
