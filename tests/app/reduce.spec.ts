@@ -221,7 +221,9 @@ test('the numbers below the view are those of the mesh that is shown', async ({ 
   for (const [faces, deviations] of measured) expect([...deviations], faces).toHaveLength(1);
 });
 
-test('a limit that stops the slider is named, and so is a missing symmetry', async ({ page }) => {
+test('a limit that stops the slider is named and can be switched off, and so is a missing symmetry', async ({
+  page,
+}) => {
   await openSheet(page);
   const deviation = page.getByLabel('Largest deviation, exact');
   await deviation.fill('0.5');
@@ -234,6 +236,10 @@ test('a limit that stops the slider is named, and so is a missing symmetry', asy
   await expect(
     page.getByText(/Stopped at [\d,]+ faces: the next collapses would take the surface/),
   ).toBeVisible();
+  await page.getByRole('button', { name: 'Let it go farther' }).click();
+  await expect(deviation).toHaveValue('');
+  await expect(deviation).toHaveAttribute('placeholder', 'off');
+  await expect(page.getByText(/with fewer the surface would go too far/)).toHaveCount(0);
   await page.locator('.right summary').first().click();
   await page.getByLabel('Keep the mirror symmetry').check();
   await expect(page.getByText(/has no mirror symmetry to keep/)).toBeVisible();

@@ -69,8 +69,9 @@ function scaleOf({ slider, step, ...range }: OptionOf<'number' | 'integer'>) {
 /** A setting as a slider over its useful span, with the exact number beside it. */
 export function SettingRange({ name }: { name: NumberSetting }) {
   const id = useId();
-  const { label, min, max, unit, help, kind } = OPTIONS[name];
+  const { label, min, max, unit, help, kind, isOffAtZero }: OptionOf<'number' | 'integer'> = OPTIONS[name];
   const value = wants.settings.value[name];
+  const isOff = isOffAtZero === true && value === 0;
   const set = (next: number) => {
     const whole = kind === 'integer' ? Math.round(next) : next;
     if (Number.isFinite(next)) changeSettings({ [name]: Math.min(max, Math.max(min, whole)) });
@@ -89,10 +90,11 @@ export function SettingRange({ name }: { name: NumberSetting }) {
           min={min}
           max={max}
           step="any"
-          value={value}
+          value={isOff ? null : value}
+          placeholder={isOff ? say('off') : undefined}
           onEnter={set}
         />
-        {unit && <span class="unit">{unit.startsWith('%') ? '%' : say(unit)}</span>}
+        {unit && !isOff && <span class="unit">{unit.startsWith('%') ? '%' : say(unit)}</span>}
       </span>
       <input
         id={id}
@@ -101,7 +103,7 @@ export function SettingRange({ name }: { name: NumberSetting }) {
         max={scale.max}
         step={scale.step}
         value={scale.toSlider(value)}
-        aria-valuetext={`${value}${unit ? ` ${say(unit)}` : ''}`}
+        aria-valuetext={isOff ? say('off') : `${value}${unit ? ` ${say(unit)}` : ''}`}
         onInput={(event) => set(scale.fromSlider(event.currentTarget.valueAsNumber))}
       />
       {words.sentences}

@@ -5,9 +5,10 @@ import { useState } from 'preact/hooks';
 
 interface NumberFieldProps extends Pick<
   InputHTMLAttributes,
-  'id' | 'aria-label' | 'aria-labelledby' | 'min' | 'max' | 'step' | 'title'
+  'id' | 'aria-label' | 'aria-labelledby' | 'min' | 'max' | 'step' | 'title' | 'placeholder'
 > {
-  value: number;
+  /** null: none is shown, but the placeholder */
+  value: number | null;
   /** NaN where what was entered is no number */
   onEnter(value: number): void;
 }
@@ -18,7 +19,7 @@ export function NumberField({ value, onEnter, ...attributes }: NumberFieldProps)
     <input
       type="number"
       {...attributes}
-      value={typed ?? value}
+      value={typed ?? value ?? ''}
       onInput={(event) => setTyped(event.currentTarget.value)}
       onChange={(event) => {
         setTyped(null);

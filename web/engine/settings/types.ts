@@ -45,6 +45,8 @@ interface Numeric extends Described, Ranged {
   /** the span of a slider where the whole range would be useless; logarithmic: equal steps are equal factors */
   slider?: { min: number; max: number; isLogarithmic?: true };
   default: number;
+  /** 0 sets no limit. */
+  isOffAtZero?: true;
 }
 
 /** One of `choices`. */
