@@ -241,9 +241,9 @@ test('a turntable and the motion of the test are saved as GIFs', { tag: '@full' 
   await page.getByLabel('Seconds').press('Tab');
   const turntable = await saved(page, 'Save turntable');
   expect(turntable.name).toBe('bar-turntable.gif');
-  const { changed, orange: _, ...turned } = await watchGif(page, turntable.bytes);
-  expect(turned).toEqual({ width: 480, height: 320, duration: 50_000, frameCount: 10, isEndless: true });
-  expect(changed).toBeGreaterThan(0.005);
+  const turned = await watchGif(page, turntable.bytes);
+  expect(turned).toMatchObject({ width: 480, height: 320, duration: 50_000, frameCount: 10, isEndless: true });
+  expect(turned.changed).toBeGreaterThan(0.005);
 
   await goTo(page, 'Test');
   await expect(button(page, 'Save motion')).toBeEnabled();

@@ -2,6 +2,8 @@
 
 import { signal } from '@preact/signals';
 import type { Wanted } from '../state/link';
+import { wantedOfSample } from '../state/samples/sample_settings';
+import { wants } from '../state/store';
 import { openAddress } from './files';
 
 export interface Sample {
@@ -25,5 +27,6 @@ export async function loadSamples(): Promise<void> {
   }
 }
 
+/** `wanted`: of a link, in place of what the sample brings along. */
 export const openSample = ({ file }: Sample, wanted?: Wanted): Promise<void> =>
-  openAddress(`./samples/${file}`, file, wanted);
+  openAddress(`./samples/${file}`, file, wanted ?? wantedOfSample(file, wants.settings.value));

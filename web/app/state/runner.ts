@@ -13,6 +13,7 @@ import { fittingOwnFaces } from './own_faces';
 import { isLinedUp } from './queue/queue';
 import { startReplay } from './replay';
 import { client, complain, replayer, whileBusy } from './running';
+import { afterSample } from './samples/sample_settings';
 import { saveFiles, startSaving } from './saved_session';
 import { changeSettings, results, status, view, wants } from './store';
 import type { Task } from './tasks/task';
@@ -68,6 +69,7 @@ async function openNow(files: SourceFile[], asked?: Wanted): Promise<void> {
 /** Shows a file that the worker has opened. `startsAnew`: without what the last model is for, where nothing is wanted of this one. */
 function take(file: OpenedFile, wanted: Wanted | undefined, startsAnew: boolean): void {
   done.clear();
+  const before = afterSample(results.file.value?.name, wants.settings.value);
   batch(() => {
     stopped.value = new Map();
     for (const task of tasks) task.result.value = null;
@@ -82,7 +84,7 @@ function take(file: OpenedFile, wanted: Wanted | undefined, startsAnew: boolean)
     view.hidden.value = new Set();
     view.animated.value = false;
     if (wanted) wants.settings.value = wanted.settings;
-    else changeSettings(startsAnew ? modelDefaults() : fileDefaults());
+    else changeSettings({ ...before, ...(startsAnew ? modelDefaults() : fileDefaults()) });
     if (startsAnew) twin.wantsTuned.value = twin.isSolverUnknown.value = false;
     status.refusedPins.value = refusedLock.value = null;
     view.picking.value = false;
