@@ -242,7 +242,13 @@ test('a turntable and the motion of the test are saved as GIFs', { tag: '@full' 
   const turntable = await saved(page, 'Save turntable');
   expect(turntable.name).toBe('bar-turntable.gif');
   const turned = await watchGif(page, turntable.bytes);
-  expect(turned).toMatchObject({ width: 480, height: 320, duration: 50_000, frameCount: 10, isEndless: true });
+  expect(turned).toMatchObject({
+    width: 480,
+    height: 320,
+    duration: 50_000,
+    frameCount: 10,
+    isEndless: true,
+  });
   expect(turned.changed).toBeGreaterThan(0.005);
 
   await goTo(page, 'Test');
