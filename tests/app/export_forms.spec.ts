@@ -91,6 +91,14 @@ test('levels are added, seen where they change, and written as nodes of one file
   // A last level that the guard of 1 % lets this sheet reach.
   await page.getByLabel('Further levels').fill('0.3, 0.15');
   await page.getByLabel('Further levels').press('Enter');
+  await expect(page.getByLabel('Further levels')).toHaveValue('0.3, 0.15');
+  await page.getByLabel('Further levels').fill('30 %, 500000');
+  await page.getByLabel('Further levels').press('Enter');
+  await expect(page.getByRole('alert')).toContainText('“500000” is no level');
+  await page.getByLabel('Further levels').fill('30 %, 0.15');
+  await page.getByLabel('Further levels').press('Enter');
+  await expect(page.getByRole('alert').filter({ hasText: 'is no level' })).toHaveCount(0);
+  await expect(page.getByLabel('Further levels')).toHaveValue('30 %, 0.15');
   await page.getByLabel('Levels go into').selectOption('nodes');
   await page.getByLabel('See where they change').check();
   const rows = page.getByRole('list', { name: 'Where levels change' }).getByRole('listitem');

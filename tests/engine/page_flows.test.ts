@@ -4,7 +4,13 @@ import { expect, test, vi } from 'vitest';
 import { formOfName } from '../../web/engine/document/write/output_form';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { scrolls } from '../../web/app/controls/scroll_keys';
-import { levelAtHeight, nextLevel, readLevels, switchHeights } from '../../web/app/panels/export/level_chain';
+import {
+  firstNoLevel,
+  levelAtHeight,
+  nextLevel,
+  readLevels,
+  switchHeights,
+} from '../../web/app/panels/export/level_chain';
 import type { Client } from '../../web/app/state/client';
 import { exportedKey, exportRequest, genericKey, pictureName } from '../../web/app/state/export_request';
 import { compareMethods, comparisonKey } from '../../web/app/state/methods';
@@ -74,6 +80,9 @@ test('levels are shares, percents or numbers of faces that the share leads back 
     expect(Math.floor(share * 1792)).toBe(faces);
   }
   expect(readLevels('much', 1792)).toEqual(['much']);
+  expect(firstNoLevel('0.25, 10 %, 500', 1792)).toBeNull();
+  expect(firstNoLevel('500, 5000, abc, -3', 1792)).toBe('5000');
+  expect(firstNoLevel('500, abc', 1792)).toBe('abc');
   expect(nextLevel([], 0.5)).toBe(0.25);
   expect(nextLevel([0.1], 0.5)).toBe(0.05);
 });

@@ -50,6 +50,8 @@ export const EXPORT_FORMS: MessageTable = {
     'Babylon.js は画面上の大きさでレベルを切り替えます。非対応のビューアーでは最初のレベルが表示されます。',
   'With commas between: shares of the faces, or numbers of faces':
     '面の割合または面数をコンマ区切りで指定します',
+  '“{word}” is no level: give shares such as 25 % or 0.25, or numbers of up to {faces} faces.':
+    '「{word}」はレベルではありません。25 % や 0.25 のような割合、または {faces} 以下の面数を指定してください。',
   'Add a level': 'レベルを追加',
   'Remove the last': '最後のレベルを削除',
   'See where they change': '切り替わる位置を見る',

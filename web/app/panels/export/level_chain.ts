@@ -1,7 +1,9 @@
 /** A chain of levels of detail: its shares of the faces from text, and the sizes on the screen at which its levels change. */
 
 import { coverageOf, LINES } from '../../../engine/document/write/level_nodes';
+import { checkSetting } from '../../../engine/settings/options';
 import { readNumber } from '../../../engine/settings/kinds';
+import { refusalOf } from '../../state/refusal';
 
 /** Digits of a share that stands for a number of faces: enough for a million. */
 const DIGITS = 1e6;
@@ -14,6 +16,13 @@ export function readLevels(text: string, faces: number): unknown[] {
   const plain = text.replaceAll(/\s/g, '');
   if (plain === '') return [];
   return plain.split(',').map((word) => readShare(word, faces));
+}
+
+/** The first word of such a list, as it is typed, that stands for no level of a file of so many faces; null for none. */
+export function firstNoLevel(text: string, faces: number): string | null {
+  const isLevel = (share: unknown): boolean => refusalOf(text, () => checkSetting('lods', [share])) === null;
+  const wrong = readLevels(text, faces).findIndex((share) => !isLevel(share));
+  return wrong < 0 ? null : text.split(',')[wrong].trim();
 }
 
 function readShare(word: string, faces: number): unknown {

@@ -2,16 +2,14 @@
 
 import { useId, useState } from 'preact/hooks';
 import type { LevelStyle } from '../../../engine/core/output_words';
-import { OPTIONS, checkSetting } from '../../../engine/settings/options';
+import { OPTIONS } from '../../../engine/settings/options';
 import { exportFormatOf } from '../../worker/export_form';
-import { refusalOf } from '../../state/refusal';
-import type { Refusal } from '../../state/refusal';
 import { changeSettings, results, slider, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { Section, Select, Toggle } from '../../controls/controls';
 import { count, fileSize } from '../../controls/numbers';
 import { RefusedText } from '../../controls/refused_text';
-import { nextLevel, readLevels } from './level_chain';
+import { firstNoLevel, nextLevel, readLevels } from './level_chain';
 import { LevelPreview } from './level_preview';
 import { describeVerdict } from './verdict';
 import { say } from '../../language/say';
@@ -67,14 +65,17 @@ export function LevelsSection({ exported }: { exported: ExportResult | null }) {
 function LevelsField() {
   const id = useId();
   const { lods } = wants.settings.value;
-  const [last, setLast] = useState<{ refusal: Refusal | null; beside: number[] } | null>(null);
+  const [last, setLast] = useState<{ text: string; why: string; beside: string } | null>(null);
   // Levels that are changed otherwise take the place of the text.
-  const refused = last?.beside === lods ? last.refusal : null;
-  const change = (typed: string) => {
-    const read = readLevels(typed, slider.value.faces) as number[];
-    const refusal = refusalOf(typed, () => checkSetting('lods', read));
-    setLast({ refusal, beside: lods });
-    if (!refusal) changeSettings({ lods: read });
+  const typed = last?.beside === lods.join() ? last : null;
+  const refused = typed && typed.why !== '' ? typed : null;
+  const change = (text: string) => {
+    const { faces } = slider.value;
+    const wrong = firstNoLevel(text, faces);
+    const read = wrong === null ? (readLevels(text, faces) as number[]) : lods;
+    const why = wrong === null ? '' : describeNoLevel(wrong, faces);
+    setLast({ text, why, beside: read.join() });
+    if (wrong === null) changeSettings({ lods: read });
   };
   return (
     <div class="control stacked">
@@ -87,13 +88,19 @@ function LevelsField() {
         title={say('With commas between: shares of the faces, or numbers of faces')}
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
-        value={refused ? refused.text : lods.join(', ')}
+        value={typed ? typed.text : lods.join(', ')}
         onChange={(event) => change(event.currentTarget.value)}
       />
       <RefusedText id={`${id}-refused`} refused={refused} />
     </div>
   );
 }
+
+const describeNoLevel = (word: string, faces: number): string =>
+  say('“{word}” is no level: give shares such as 25 % or 0.25, or numbers of up to {faces} faces.', {
+    word,
+    faces: count(faces),
+  });
 
 function LevelButtons() {
   const { lods } = wants.settings.value;
