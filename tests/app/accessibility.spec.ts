@@ -37,6 +37,25 @@ test('Export takes the focus, and gives it back unless it has gone elsewhere', a
   await page.keyboard.press('Control+e');
   await expect(heading).toHaveCount(0);
   await expect(help).toBeFocused();
+  await page.keyboard.press('Control+e');
+  await expect(heading).toBeFocused();
+  await page.keyboard.press('Escape');
+  await expect(heading).toHaveCount(0);
+  await expect(help).toBeFocused();
+});
+
+test('a picture that is saved by keyboard leaves the focus at its button, and Escape closes the pictures', async ({
+  page,
+}) => {
+  await openPage(page);
+  await page.getByRole('button', { name: 'Pictures', exact: true }).click();
+  await expect(page.getByRole('heading', { name: 'Pictures' })).toBeFocused();
+  const save = page.getByRole('button', { name: 'Save PNG' });
+  await Promise.all([page.waitForEvent('download'), save.press('Enter')]);
+  await expect(save).toBeFocused();
+  await page.locator('body').evaluate(() => (document.activeElement as HTMLElement).blur());
+  await page.keyboard.press('Escape');
+  await expect(page.locator('.pictures')).toHaveCount(0);
 });
 
 for (const [opener, closer] of [

@@ -2,6 +2,7 @@
 
 import { scrolls } from './controls/scroll_keys';
 import { pickFiles } from './files/files';
+import { pictures } from './panels/pictures/pictures_state';
 import { isWireShown } from './panels/viewport/show_bodies';
 import { viewportHandle } from './panels/viewport/viewport_view';
 import { cancelRunning } from './state/runner';
@@ -36,6 +37,8 @@ const PLAIN: Record<string, () => void> = {
   arrowright: () => stepFaces(1),
   escape: () => {
     if (view.helpOpen.value) view.helpOpen.value = false;
+    else if (pictures.isOpen.value) pictures.isOpen.value = false;
+    else if (wants.exportOpen.value) wants.exportOpen.value = false;
     else if (isPicking.value) view.picking.value = false;
     else if (view.hover.value) view.hover.value = null;
     else if (isBrushing.value) view.brush.value = { ...view.brush.value, tool: null };

@@ -110,8 +110,8 @@ export const PAGE: MessageTable = {
   'undo; with Shift redo': '元に戻す (Shift でやり直す)',
   'open a file': 'ファイルを開く',
   export: '書き出し',
-  'close this help, leave the pick tool or the brush, or cancel what is running':
-    'このヘルプを閉じる、選択ツールやブラシを終了、または実行中の処理をキャンセル',
+  'close this help, the pictures or Export, leave the pick tool or the brush, or cancel what is running':
+    'このヘルプ、画像、書き出しを閉じる、選択ツールやブラシを終了、または実行中の処理をキャンセル',
   'this help': 'このヘルプ',
   Mode: 'モード',
   'A way in which the model likes to bend or twist.': 'モデルが曲がりやすい、またはねじれやすい形です。',

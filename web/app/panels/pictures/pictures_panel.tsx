@@ -95,7 +95,9 @@ function MakeButton({ text, isPrimary = false, disabled = false, title, file, ma
       type="button"
       class={isPrimary ? 'primary' : undefined}
       title={title && say(title)}
-      disabled={disabled || isWorking}
+      disabled={disabled}
+      // A disabled button would lose the focus, and Escape would no longer be the panel's.
+      aria-disabled={isWorking}
       onClick={() => {
         const { current } = viewportHandle;
         if (current) void makePicture(file, (job) => make(current, job));
