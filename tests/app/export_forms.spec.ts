@@ -117,7 +117,18 @@ test('levels are added, seen where they change, and written as nodes of one file
 test('a preset says what it changes before it does', async ({ page }) => {
   await openExport(page);
   await page.getByLabel('Preset').selectOption('mobile');
-  await expect(page.locator('.changes li')).toHaveText([/as in the file|like-input/, /0\.25, 0\.1/]);
+  await expect(page.locator('.changes li')).toHaveText([
+    'Compression: as in the file → quantized',
+    'Further levels: none → 0.25, 0.1',
+  ]);
+  await page.getByLabel('Preset').selectOption('cloth');
+  await expect(page.locator('.changes li')).toHaveText([
+    'Model: Auto → Shell',
+    "Solver: Limber's solid → Limber's shell",
+    'Fix open borders: off → on',
+    'Fit: To the surface → To the modes of the shell',
+  ]);
+  await page.getByLabel('Preset').selectOption('mobile');
   await expect(page.getByLabel('Further levels')).toHaveValue('');
   await button(page, 'Use these settings').click();
   await expect(page.getByText('All of it is set.')).toBeVisible();

@@ -47,10 +47,8 @@ function presetWords(): string[] {
   const names = PRESET_NAMES.flatMap((name) => Object.keys(settingsOfPreset(name)) as SettingName[]);
   return [
     ...PRESET_NAMES.flatMap((name) => [PRESETS[name].label, PRESETS[name].why]),
-    ...[...new Set(names)]
-      .map((name) => OPTIONS[name])
-      .flatMap((option) => (option.kind === 'choice' ? [option.label, ...option.choices] : [option.label])),
-    'none',
+    ...[...new Set(names)].map((name) => OPTIONS[name].label),
+    ...['on', 'off', 'none'],
   ];
 }
 

@@ -23,7 +23,10 @@ const KEYS: [string, string][] = [
   ['Ctrl+Z', 'undo; with Shift redo'],
   ['Ctrl+O', 'open a file'],
   ['Ctrl+E', 'export'],
-  ['Esc', 'close this help, the pictures or Export, leave the pick tool or the brush, or cancel what is running'],
+  [
+    'Esc',
+    'close this help, the pictures or Export, leave the pick tool or the brush, or cancel what is running',
+  ],
   ['?', 'this help'],
 ];
 

@@ -1,6 +1,5 @@
 /** Settings that go well together for what a result is made for. They say nothing about how many faces are kept. */
 
-import { OPTIONS } from './table';
 import type { SettingName, Settings } from './table';
 
 export interface Preset {
@@ -46,9 +45,8 @@ export const PRESET_NAMES = Object.keys(PRESETS) as PresetName[];
 /** A setting that a preset changes. */
 export interface PresetChange {
   name: SettingName;
-  label: string;
-  from: string;
-  to: string;
+  from: Settings[SettingName];
+  to: Settings[SettingName];
 }
 
 /** What a preset changes of these settings; empty where they are what it asks for. */
@@ -56,19 +54,9 @@ export function presetChanges(preset: PresetName, settings: Settings): PresetCha
   const asked: Partial<Settings> = settingsOfPreset(preset);
   return (Object.keys(asked) as SettingName[])
     .filter((name) => String(asked[name]) !== String(settings[name]))
-    .map((name) => ({
-      name,
-      label: OPTIONS[name].label,
-      from: wordsOf(settings[name]),
-      to: wordsOf(asked[name]!),
-    }));
+    .map((name) => ({ name, from: settings[name], to: asked[name]! }));
 }
 
 /** A fresh copy of the settings of a preset. */
 export const settingsOfPreset = (preset: PresetName): Partial<Settings> =>
   structuredClone(PRESETS[preset].settings) as unknown as Partial<Settings>;
-
-const wordsOf = (value: Settings[SettingName]): string => {
-  const text = Array.isArray(value) ? value.join(', ') : String(value);
-  return text === '' ? 'none' : text;
-};

@@ -5,6 +5,7 @@ import { PRESET_NAMES, presetChanges, PRESETS, settingsOfPreset } from '../../..
 import type { PresetName } from '../../../engine/settings/presets';
 import { changeSettings, wants } from '../../state/store';
 import { Section, Select } from '../../controls/controls';
+import { labelOf, valueWords } from './setting_values';
 import { say } from '../../language/say';
 
 const CHOICES = [
@@ -36,9 +37,10 @@ function Changes({ preset }: { preset: PresetName }) {
       {changes.length > 0 && (
         <>
           <ul class="changes">
-            {changes.map(({ name, label, from, to }) => (
+            {changes.map(({ name, from, to }) => (
               <li key={name}>
-                {say(label)}: <span class="muted">{say(from)} →</span> <strong>{say(to)}</strong>
+                {labelOf(name)}: <span class="muted">{valueWords(name, from)} →</span>{' '}
+                <strong>{valueWords(name, to)}</strong>
               </li>
             ))}
           </ul>

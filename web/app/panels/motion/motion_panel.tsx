@@ -12,7 +12,7 @@ import { MaterialSelect } from './material_section';
 import { PinsSection } from './pins_section';
 import { enumerated, say, sayCounted, sentence } from '../../language/say';
 
-const MODELS: { value: Settings['model']; text: string; title: string }[] = [
+export const MODELS: { value: Settings['model']; text: string; title: string }[] = [
   {
     value: 'auto',
     text: 'Auto',

@@ -15,7 +15,9 @@ import { say } from '../../language/say';
 
 const METHOD_CHOICES = METHODS.map(({ name, label, title }) => ({ value: name, text: label, title }));
 
-const FIT_CHOICES: readonly { value: Settings['fit']; text: string }[] = [
+export const FIX_BORDERS = 'Fix open borders';
+
+export const FIT_CHOICES: readonly { value: Settings['fit']; text: string }[] = [
   { value: 'surface', text: 'To the surface' },
   { value: 'modal', text: 'To the modes of the shell' },
   { value: 'off', text: 'None' },
@@ -72,7 +74,7 @@ function MoreSettings() {
         onChange={(on) => changeSettings({ symmetry: on ? 'on' : 'off' })}
       />
       <Toggle
-        label="Fix open borders"
+        label={FIX_BORDERS}
         checked={borders === 'fixed'}
         onChange={(on) => changeSettings({ borders: on ? 'fixed' : 'free' })}
       />

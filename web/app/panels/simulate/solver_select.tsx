@@ -18,13 +18,13 @@ interface Words {
   title: string;
 }
 
-const SHELL: Words = {
+export const SHELL: Words = {
   text: "Limber's shell",
   title: 'Membrane and bending: the same material on any mesh',
 };
 
 /** What is called solid: closed parts are, and open ones are shells. */
-const SOLID: Record<OwnModel, Words> = {
+export const SOLID: Record<OwnModel, Words> = {
   solid: { text: "Limber's solid", title: 'It has an inside, the same in both bodies' },
   shell: SHELL,
   both: {
@@ -33,7 +33,7 @@ const SOLID: Record<OwnModel, Words> = {
   },
 };
 
-const SPRINGS: Words = {
+export const SPRINGS: Words = {
   text: "The paper's springs",
   title: 'The edges, as in the paper: another material on every mesh',
 };
