@@ -5,6 +5,7 @@ import { drawnLevelsKey, exportedFilesKey, exportKey } from '../worker/protocol'
 import type { ExportRequest } from '../worker/protocol';
 import { exportFormatOf, exportSettings } from '../worker/export_form';
 import { shownResultFile } from './drawn_file';
+import { resultName } from './queue/model_groups';
 import { keptFaces, results, wants } from './store';
 
 /** The name of a file without its folders and its ending. */
@@ -22,7 +23,7 @@ const openName = (): string => baseName(results.file.value?.name ?? '');
 export const exportRequest = (): ExportRequest => ({
   fields: wants.exportFields.value,
   binding: wants.exportBinding.value,
-  output: `${openName()}-limber${exportFormatOf(wants.settings.value).ending}`,
+  output: `${resultName(openName())}${exportFormatOf(wants.settings.value).ending}`,
 });
 
 export const exportedKey = (): string =>

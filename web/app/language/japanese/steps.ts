@@ -187,11 +187,11 @@ export const STEPS: MessageTable = {
   'Deviation of at most {deviation} %: {faces} faces': 'ずれ {deviation} % 以下: {faces} 面',
   'deviation {deviation} %': 'ずれ {deviation} %',
   'Collapse across texture seams': 'テクスチャのシームをまたいで縮約',
-  'Stopped at {faces} faces: {reason}.': '{faces} 面で停止しました。{reason}。',
+  'Stopped at {count} faces: {reason}.': '{count} 面で停止しました。{reason}。',
   ' Turn on “{control}” under More to go on.': '続けるには「詳細」の「{control}」をオンにしてください。',
   'Turn it on': 'オンにする',
-  'Stopped at {faces} faces: the next collapses would take the surface more than {limit} % of the diagonal away.':
-    '{faces} 面で止まりました。次の縮約で表面が対角線の {limit} % を超えてずれるためです。',
+  'Stopped at {count} faces: the next collapses would take the surface more than {limit}\u00a0% of the diagonal away.':
+    '{count} 面で停止しました。次の縮約で表面が対角線の {limit}\u00a0% を超えてずれるためです。',
   'Let it go farther': 'ずれの制限を外す',
   'the first six frequencies are off by at most {error} %': '最初の 6 つの周波数の誤差は最大 {error} %',
   'With {faces} faces {off}.': '{faces} 面で、{off}です。',

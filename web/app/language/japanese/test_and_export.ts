@@ -48,6 +48,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   Hang: '吊るす',
   'Gravity pulls at the rest.': '残りの部分に重力が働きます。',
   Drop: '落とす',
+  'Falls as far as what is held in place lets it.': '固定した所が許す範囲で落ちます。',
   'Falls to the floor.': '床に落とします。',
   Pull: '引っ張る',
   '{end} moves away by a fifth of the length.': '{end}を長さの 5 分の 1 だけ引き離します。',

@@ -5,7 +5,7 @@ import { describeRefused } from '../../../engine/report/stop_report';
 import type { Settings } from '../../../engine/settings/options';
 import type { FrequencyFinding, Tried } from '../../../engine/body/body_result';
 import { changeSettings, results, shownFit, shownMesh, wantedFaces } from '../../state/store';
-import { say, sentence } from '../../language/say';
+import { say, sayCounted, sentence } from '../../language/say';
 
 export const ACROSS_SEAMS = 'Collapse across texture seams';
 
@@ -21,13 +21,17 @@ export function StopReason() {
       {history.note !== '' && <p class="hint warning">{sentence(`${history.note}.`)}</p>}
       {wantedFaces.value < history.floorFaces && (
         <p class="hint warning">
-          {say('Stopped at {faces} faces: {reason}.', {
-            faces: count(history.floorFaces),
-            reason: describeRefused(history.refused)
-              .split(/, (?=\d)/)
-              .map(sentence)
-              .join(', '),
-          })}
+          {sayCounted(
+            history.floorFaces,
+            'Stopped at {count} face: {reason}.',
+            'Stopped at {count} faces: {reason}.',
+            {
+              reason: describeRefused(history.refused)
+                .split(/, (?=\d)/)
+                .map(sentence)
+                .join(', '),
+            },
+          )}
           {history.blockedBySeams &&
             say(' Turn on “{control}” under More to go on.', { control: say(ACROSS_SEAMS) })}
         </p>
@@ -37,9 +41,11 @@ export function StopReason() {
       )}
       {guard && (
         <p class="hint warning">
-          {say(
-            'Stopped at {faces} faces: the next collapses would take the surface more than {limit} % of the diagonal away.',
-            { faces: count(shown), limit: fixed(guard.limit, 2) },
+          {sayCounted(
+            shown,
+            'Stopped at {count} face: the next collapses would take the surface more than {limit}\u00a0% of the diagonal away.',
+            'Stopped at {count} faces: the next collapses would take the surface more than {limit}\u00a0% of the diagonal away.',
+            { limit: fixed(guard.limit, 2) },
           )}
         </p>
       )}
