@@ -22,6 +22,7 @@ test('several files are a queue with one setting, in which a bad one fails alone
   await page.goto('/');
   await drop(page, ...models, damaged);
   await expect(queue(page)).toContainText('4 models');
+  await expect(queue(page).locator('.hint')).toHaveText(/as GLB\.$/);
   await expect(page.locator('.left .filename')).toHaveText('model-0.obj');
   await expect(button(page, 'Optimize all 4')).toBeEnabled();
   await goTo(page, 'Reduce');
@@ -47,6 +48,14 @@ test('several files are a queue with one setting, in which a bad one fails alone
     expect(after).toBeLessThanOrEqual(Math.ceil(share * before));
     expect(after).toBeGreaterThan(0);
   }
+});
+
+test('a queue names the settings that are not the default', async ({ page }) => {
+  await page.goto('/#compress=draco&seams=cross&max-deviation=0');
+  await drop(page, ...models);
+  await expect(queue(page).locator('.hint')).toHaveText(
+    /as GLB; .*Largest deviation: off.*Collapse across texture seams: on.*Compression: Draco.*\.$/,
+  );
 });
 
 test(

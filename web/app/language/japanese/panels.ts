@@ -118,6 +118,8 @@ export const PANELS: MessageTable = {
   '{number} models': '{number} 個のモデル',
   'All with the settings of this page: at most {share} % of the faces, as {format}.':
     'すべてこのページの設定で処理します: 面は最大 {share} %、形式は {format}。',
+  'All with the settings of this page: at most {share} % of the faces, as {format}; {others}.':
+    'すべてこのページの設定で処理します: 面は最大 {share} %、形式は {format}。{others}。',
   'Optimize all {number}': '{number} 個すべてを最適化',
   'Run all again': 'すべて再実行',
   'Cancel the queue': 'キューをキャンセル',

@@ -1,6 +1,6 @@
 /** Settings and their values in the words of the controls that the page has for them. */
 
-import { OPTIONS } from '../../../engine/settings/options';
+import { defaultSettings, OPTIONS, SETTING_NAMES } from '../../../engine/settings/options';
 import type { OptionSpec, SettingName, Settings } from '../../../engine/settings/options';
 import { say } from '../../language/say';
 import { MODELS } from '../motion/motion_panel';
@@ -46,4 +46,13 @@ function numberWords(name: SettingName, value: number): string {
   if (option.isOffAtZero && value === 0) return say('off');
   const { unit } = option;
   return unit ? `${value}\u00a0${unit.startsWith('%') ? '%' : say(unit)}` : String(value);
+}
+
+/** The settings of a result that are not the default, but for its format: "Compression: Draco, Largest deviation: 0.5 %". */
+export function changedWords(settings: Settings): string {
+  const usual = defaultSettings();
+  return SETTING_NAMES.filter((name) => name !== 'format' && !OPTIONS[name].isOfMachine)
+    .filter((name) => String(settings[name]) !== String(usual[name]))
+    .map((name) => `${labelOf(name)}: ${valueWords(name, settings[name])}`)
+    .join(', ');
 }

@@ -13,6 +13,7 @@ import { cancelQueue, closeQueue, queue, runQueue } from '../../state/queue/queu
 import type { Queue, QueueItem } from '../../state/queue/queue';
 import { describeOutcome, describeProgress, summaryCsv } from '../../state/queue/summary';
 import type { Finished } from '../../state/queue/summary';
+import { changedWords } from '../export/setting_values';
 import './queue.css';
 import { say, sentence } from '../../language/say';
 
@@ -56,14 +57,22 @@ export function QueueSection() {
   );
 }
 
-/** "All with the settings of this page: 50 % of the faces, as GLB." */
+/** "All with the settings of this page: at most 50 % of the faces, as GLB; Compression: Draco." */
 function describeAsked(): string {
   const { wanted, faces } = slider.value;
   const share = faces > 0 ? Math.round((100 * wanted) / faces) : 50;
-  const { text } = exportFormatOf(wants.settings.value);
-  return say('All with the settings of this page: at most {share} % of the faces, as {format}.', {
+  const settings = wants.settings.value;
+  const format = say(exportFormatOf(settings).text);
+  const others = changedWords(settings);
+  if (others === '')
+    return say('All with the settings of this page: at most {share} % of the faces, as {format}.', {
+      share,
+      format,
+    });
+  return say('All with the settings of this page: at most {share} % of the faces, as {format}; {others}.', {
     share,
-    format: say(text),
+    format,
+    others,
   });
 }
 
