@@ -239,7 +239,7 @@ test('a limit that stops the slider is named and can be switched off, and so is 
   await page.getByRole('button', { name: 'Let it go farther' }).click();
   await expect(deviation).toHaveValue('');
   await expect(deviation).toHaveAttribute('placeholder', 'off');
-  await expect(page.getByText(/with fewer the surface would go too far/)).toHaveCount(0);
+  await expect(page.getByText(/the next collapses would take the surface/)).toHaveCount(0);
   await page.locator('.right summary').first().click();
   await page.getByLabel('Keep the mirror symmetry').check();
   await expect(page.getByText(/has no mirror symmetry to keep/)).toBeVisible();
