@@ -235,8 +235,13 @@ test('the picture turns and pins by keyboard alone', async ({ page }) => {
   for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowRight');
   await page.waitForTimeout(700);
   expect((await canvas.screenshot()).equals(before)).toBe(false);
-  await page.getByRole('button', { name: /pick/i }).first().click();
+  await page.getByRole('button', { name: /pick/i }).first().press('Enter');
   await canvas.focus();
+  const mark = page.locator('.middle-mark');
+  await expect(mark).toBeVisible();
+  const [marked, seen] = [(await mark.boundingBox())!, (await canvas.boundingBox())!];
+  expect(Math.abs(marked.x + marked.width / 2 - seen.x - seen.width / 2)).toBeLessThan(2);
+  expect(Math.abs(marked.y + marked.height / 2 - seen.y - seen.height / 2)).toBeLessThan(2);
   await page.keyboard.press('Enter');
   await expect(page.getByText(/^[1-9]\d* of [\d,]+ vertices\.$/)).toBeVisible();
 });

@@ -102,8 +102,8 @@ export const STEPS: MessageTable = {
   'Click vertices or paint over the surface; Shift unpins, Escape ends':
     '頂点をクリックするか、表面をなぞります。Shift で解除、Esc で終了',
   Pick: '選択',
-  'Click a vertex or paint over the surface. Shift unpins, Esc ends.':
-    '頂点をクリックするか、表面をなぞってください。Shift で解除、Esc で終了します。',
+  'Click a vertex or paint over the surface, or press Enter for the middle of the picture. Shift unpins, Esc ends.':
+    '頂点をクリックするか、表面をなぞってください。Enter で画面の中央の頂点を選びます。Shift で解除、Esc で終了します。',
   'Clear the pins': '固定をすべて解除',
   Clear: 'クリア',
   'Pins {share} % of the longest side at this end; as text {text}':

@@ -31,7 +31,11 @@ export function PinsSection() {
         </button>
       </div>
       {isPicking.value && (
-        <p class="hint">{say('Click a vertex or paint over the surface. Shift unpins, Esc ends.')}</p>
+        <p class="hint">
+          {say(
+            'Click a vertex or paint over the surface, or press Enter for the middle of the picture. Shift unpins, Esc ends.',
+          )}
+        </p>
       )}
       <AttributeSelect />
       <PinsStatus />

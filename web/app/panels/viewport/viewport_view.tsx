@@ -93,6 +93,7 @@ export function ViewportView() {
   return (
     <div class={isPicking.value || isBrushing.value ? 'viewport picking' : 'viewport'}>
       <canvas ref={canvas} aria-label={describeViewport()} role="application" tabIndex={0} />
+      {isPicking.value && <span class="middle-mark" aria-hidden="true" />}
       {hasFailed && (
         <p class="empty">
           {say('This browser has no WebGL2, so there is no picture; files, numbers and export work.')}
