@@ -4,7 +4,7 @@ import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
 import { unzipSync } from 'fflate';
 import { PLAIN } from '../../playwright.config';
-import { goTo, openPage, readout } from './page';
+import { goTo, keepFaces, openPage, readout } from './page';
 import { compare, picture, stillCapture } from './pictures';
 
 /** Opens the Test step and waits until both bodies are shown. */
@@ -161,21 +161,41 @@ test('who does not know the solver gets the plain result, words to choose by, an
   ]);
   expect(download.suggestedFilename()).toBe('bar-limber-any-engine.zip');
   const files = unzipSync(readFileSync(await download.path()));
-  const families = ['shell', 'hinge-shell', 'dihedral', 'springs'];
+  const families = {
+    shell: 'shell',
+    'hinge-shell': 'discrete-shells',
+    dihedral: 'edges-and-hinges',
+    springs: 'springs',
+  };
   expect(Object.keys(files).sort()).toEqual(
-    ['bar-limber.glb', ...families.map((name) => `bar-limber.${name}.settings.json`)].sort(),
+    ['bar-limber.glb', ...Object.values(families).map((name) => `bar-limber.${name}.settings.json`)].sort(),
   );
   const read = (name: string) =>
     JSON.parse(new TextDecoder().decode(files[`bar-limber.${name}.settings.json`])) as {
       solver: string;
       bodies: { mesh: { triangles: number[] } }[];
     };
-  const meshes = families.map((name) => {
-    expect(read(name).solver).toBe(name);
+  const meshes = Object.entries(families).map(([solverName, name]) => {
+    expect(read(name).solver).toBe(solverName);
     return read(name).bodies[0].mesh.triangles;
   });
   // All are of the one mesh that lies beside them.
   for (const mesh of meshes) expect(mesh).toEqual(meshes[0]);
+
+  // Whoever chooses a solver while it is tuned, as for another number of faces, is told what has stopped, and can go back.
+  await goTo(page, 'Reduce');
+  await keepFaces(page, 400);
+  await goTo(page, 'Test');
+  await button(page, 'Save all four as .zip').click();
+  await solver.selectOption({ label: 'Springs' });
+  const stopped = page.getByRole('status').filter({ hasText: 'was stopped, as another solver was chosen' });
+  await expect(stopped).toBeVisible();
+  const [again] = await Promise.all([
+    page.waitForEvent('download'),
+    stopped.getByRole('button', { name: 'Go back and save all four' }).click(),
+  ]);
+  expect(again.suggestedFilename()).toBe('bar-limber-any-engine.zip');
+  await expect(stopped).toHaveCount(0);
 
   const table = page.getByRole('row', { name: /Springs alone/ });
   await table.getByRole('button', { name: 'Springs' }).click();

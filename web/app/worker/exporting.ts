@@ -11,7 +11,8 @@ import { settingsAsUsed } from '../../engine/report/report';
 import { worstSurface } from '../../engine/report/result_report';
 import type { LevelReport } from '../../engine/report/result_report';
 import { defaultSettings } from '../../engine/settings/options';
-import { GENERIC_SOLVERS } from '../../engine/solvers/profiles';
+import { GENERIC_SOLVERS, profileOf } from '../../engine/solvers/profiles';
+import type { GenericSolver } from '../../engine/solvers/profiles';
 import { FileOutput } from '../../engine/stages/file_output';
 import type { FileRequest } from '../../engine/stages/file_request';
 import type { FileRun } from '../../engine/stages/file_run';
@@ -70,10 +71,14 @@ export async function exportForGeneric(
   const files: Record<string, Uint8Array> = { [name]: bytes };
   for (const solver of GENERIC_SOLVERS) {
     const output = new FileOutput(file, { ...request, targets, settings: { ...settings, solver } });
-    files[`${stem}.${solver}.settings.json`] = new TextEncoder().encode(output.settings());
+    files[`${stem}.${familyName(solver)}.settings.json`] = new TextEncoder().encode(output.settings());
   }
   return files;
 }
+
+/** As the page calls it: "edges-and-hinges". */
+const familyName = (solver: GenericSolver): string =>
+  profileOf(solver).label.toLowerCase().replaceAll(' ', '-');
 
 /** What the file `name` leaves out. */
 function lostOf({ model }: FileRun, { settings }: FileRequest, name: string): string[] {

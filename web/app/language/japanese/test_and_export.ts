@@ -17,6 +17,9 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Springs alone, for stretching and for bending: Unity, Godot': '伸びと曲げのばねのみ: Unity、Godot',
   'Or take the model with the numbers for each of the four, and try which of them fits.':
     'または、4 つすべての数値をモデルと一緒に保存し、どれが合うか試してください。',
+  '“Save all four as .zip” was stopped, as another solver was chosen.':
+    '別のソルバーが選ばれたため、「4 つすべてを .zip で保存」を中止しました。',
+  'Go back and save all four': '戻って 4 つすべてを保存',
   'Save all four as .zip': '4 つすべてを .zip で保存',
   Scenario: 'シナリオ',
   Arrangement: '配置',

@@ -82,9 +82,24 @@ function choose(value: string): void {
     : ownWords(ownModel.value).find(([own]) => ownValue(own) === value)?.[0];
   const others = { engine: '', tune: 'global', massRule: 'auto' } as const;
   twin.isSolverUnknown.value = isUnknown;
-  twin.wantsGeneric.value = false;
+  if (twin.wantsGeneric.value) stopGeneric();
   if (material) changeSettings({ solver: 'none', material, ...others });
   else changeSettings({ solver: value as SolverName, ...others });
+}
+
+/** Gives up the files for all four, which are tuned without a solver, and says so. */
+function stopGeneric(): void {
+  twin.wantsGeneric.value = false;
+  const run = (): void => {
+    status.notice.value = null;
+    choose('unknown');
+    twin.wantsGeneric.value = true;
+  };
+  status.notice.value = {
+    kind: 'info',
+    text: say('“Save all four as .zip” was stopped, as another solver was chosen.'),
+    action: { label: 'Go back and save all four', run },
+  };
 }
 
 function titleOf(solver: SolverName): string {
