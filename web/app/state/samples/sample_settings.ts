@@ -9,7 +9,7 @@ import type { Wanted } from '../link';
 const CORNERS = 'vertices:0,1,33,31,32,65';
 
 const BROUGHT: Readonly<Record<string, Partial<Settings>>> = {
-  'cloth.glb': { ...MATERIALS.cotton, pins: CORNERS, scenario: 'wind' },
+  'cloth.glb': { ...MATERIALS.cotton, pins: CORNERS, scenario: 'sway' },
 };
 
 /** What is wanted of a sample that brings settings along, where `settings` are those before it; undefined for others. */
