@@ -5,7 +5,10 @@ import { openAddress, openDropped } from '../../web/app/files/files';
 import { loadSamples, samples } from '../../web/app/files/samples';
 import type { SourceFile } from '../../web/engine/document/open';
 
-const page = vi.hoisted(() => ({ opened: [] as string[][], complaints: [] as string[] }));
+const page = vi.hoisted(() => {
+  vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} }));
+  return { opened: [] as string[][], complaints: [] as string[] };
+});
 
 vi.mock('../../web/app/files/open_all', () => ({
   openAll: (files: SourceFile[]) => page.opened.push(files.map(({ name }) => name)),

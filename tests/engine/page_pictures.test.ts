@@ -28,6 +28,7 @@ vi.mock('../../web/app/state/running', () => ({
   },
 }));
 vi.mock('../../web/app/state/simulation', () => ({ reset: () => {}, stepOnce: () => {} }));
+vi.mock('../../web/app/panels/simulate/simulate_view', () => ({ showTwin: () => {} }));
 vi.mock('../../web/app/state/end_pose', () => ({
   endPose: () => new Promise((resolve) => (page.pose = resolve)),
 }));
