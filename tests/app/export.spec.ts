@@ -57,7 +57,7 @@ test('levels and the binding are checked, packed, and the same as from the comma
   const levels = page.getByLabel('Further levels');
   await levels.fill('0.3, 0');
   await levels.press('Enter');
-  await expect(page.getByRole('alert')).toContainText('This is 0.3,0: give numbers from 0.0001 to 1');
+  await expect(page.getByRole('alert')).toContainText('“0” is no level: give shares such as 25 %');
   await levels.fill('0.3, 0.15');
   await levels.press('Enter');
   await page.getByLabel("Binding of the original's vertices").check();
