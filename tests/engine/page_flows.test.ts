@@ -14,7 +14,7 @@ import {
 import type { Client } from '../../web/app/state/client';
 import { exportedKey, exportRequest, genericKey, pictureName } from '../../web/app/state/export_request';
 import { compareMethods, comparisonKey } from '../../web/app/state/methods';
-import { freeName, modelGroups, resultName } from '../../web/app/state/queue/model_groups';
+import { freeName, modelGroups, suffixedName } from '../../web/app/state/queue/model_groups';
 import { describeOutcome, describeProgress, summaryCsv } from '../../web/app/state/queue/summary';
 import { changeSettings, results } from '../../web/app/state/store';
 import { CANCELLED, resultFileKey } from '../../web/app/worker/protocol';
@@ -112,7 +112,7 @@ test('models of one name become files of different names', () => {
 });
 
 test('the result of a result has a number in place of another suffix', () => {
-  const names = ['alien', 'alien-limber', 'alien-limber-2', 'limber'].map(resultName);
+  const names = ['alien', 'alien-limber', 'alien-limber-2', 'limber'].map(suffixedName);
   expect(names).toEqual(['alien-limber', 'alien-limber-2', 'alien-limber-3', 'limber-limber']);
 });
 

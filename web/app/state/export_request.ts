@@ -5,7 +5,7 @@ import { drawnLevelsKey, exportedFilesKey, exportKey } from '../worker/protocol'
 import type { ExportRequest } from '../worker/protocol';
 import { exportFormatOf, exportSettings } from '../worker/export_form';
 import { shownResultFile } from './drawn_file';
-import { resultName } from './queue/model_groups';
+import { suffixedName } from './queue/model_groups';
 import { keptFaces, results, wants } from './store';
 
 /** The name of a file without its folders and its ending. */
@@ -23,7 +23,7 @@ const openName = (): string => baseName(results.file.value?.name ?? '');
 export const exportRequest = (): ExportRequest => ({
   fields: wants.exportFields.value,
   binding: wants.exportBinding.value,
-  output: `${resultName(openName())}${exportFormatOf(wants.settings.value).ending}`,
+  output: `${suffixedName(openName())}${exportFormatOf(wants.settings.value).ending}`,
 });
 
 export const exportedKey = (): string =>

@@ -109,6 +109,7 @@ function describeFinerLevels(
     );
 }
 
+/** As they are in the file. */
 const facesOf = (bodies: StoppedBody[]): number =>
   sum(bodies.map(({ faces, duplicates }) => faces + (duplicates ?? 0)));
 
@@ -127,7 +128,7 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
 function writtenFaces(bodies: StoppedBody[]): string {
   const faces = sum(bodies.map((body) => body.faces));
   const duplicates = sum(bodies.map((body) => body.duplicates ?? 0));
-  const all = `${grouped(faces + duplicates)} faces`;
+  const all = `${grouped(facesOf(bodies))} faces`;
   return duplicates > 0 ? `${all} (${grouped(faces)} without duplicates)` : all;
 }
 

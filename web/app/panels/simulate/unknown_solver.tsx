@@ -6,7 +6,7 @@ import type { GenericSolver } from '../../../engine/solvers/profiles';
 import { download } from '../../files/files';
 import { say } from '../../language/say';
 import { baseName, genericKey } from '../../state/export_request';
-import { resultName } from '../../state/queue/model_groups';
+import { suffixedName } from '../../state/queue/model_groups';
 import { results, shownMesh } from '../../state/store';
 import { twin } from '../../state/twin';
 import './unknown_solver.css';
@@ -60,7 +60,7 @@ function SaveForAll() {
     if (!wantsGeneric.value || files?.key !== genericKey()) return;
     wantsGeneric.value = false;
     download(
-      `${resultName(baseName(results.file.value!.name))}-any-engine.zip`,
+      `${suffixedName(baseName(results.file.value!.name))}-any-engine.zip`,
       files.archive,
       'application/zip',
     );

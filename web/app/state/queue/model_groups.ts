@@ -28,15 +28,15 @@ export function modelGroups(files: readonly SourceFile[]): ModelGroup[] {
 }
 
 /** What a result of a model of this name is called: "bar-limber", and "bar-limber-2" where the model is such a result itself. */
-export function resultName(name: string): string {
+export function suffixedName(name: string): string {
   const [, stem, number] = /^(.*)-limber(?:-(\d+))?$/.exec(name) ?? [];
   return stem === undefined ? `${name}-limber` : `${stem}-limber-${Number(number ?? 1) + 1}`;
 }
 
 /** `name` with another ending, as no earlier one of `taken`: "a-limber.glb", "a-limber-2.glb". It is added to `taken`. */
 export function freeName(name: string, ending: string, taken: Set<string>): string {
-  let free = resultName(name.replace(/\.[^./]+$/, ''));
-  while (taken.has(free)) free = resultName(free);
+  let free = suffixedName(name.replace(/\.[^./]+$/, ''));
+  while (taken.has(free)) free = suffixedName(free);
   taken.add(free);
   return `${free}${ending}`;
 }

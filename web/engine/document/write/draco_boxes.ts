@@ -4,6 +4,7 @@
  */
 
 import type { Document, Mesh } from '@gltf-transform/core';
+import { boundsOf } from '../../core/mesh';
 
 /** The cube of which a grid is made. */
 interface Box {
@@ -79,15 +80,8 @@ const positionsOf = (mesh: Mesh): Float32Array[] =>
     .filter((array) => array instanceof Float32Array);
 
 function boxOf(arrays: Float32Array[]): Box {
-  const [min, max] = [
-    [Infinity, Infinity, Infinity],
-    [-Infinity, -Infinity, -Infinity],
-  ];
-  for (const array of arrays)
-    for (let i = 0; i < array.length; ++i) {
-      min[i % 3] = Math.min(min[i % 3], array[i]);
-      max[i % 3] = Math.max(max[i % 3], array[i]);
-    }
-  const range = Math.max(...max.map((value, c) => value - min[c]));
+  const bounds = arrays.filter(({ length }) => length > 0).map((array) => boundsOf(array));
+  const min = [0, 1, 2].map((c) => Math.min(...bounds.map(({ low }) => low[c])));
+  const range = Math.max(...bounds.flatMap(({ high }) => high.map((value, c) => value - min[c])));
   return { min, range: range > 0 ? range : 1 };
 }

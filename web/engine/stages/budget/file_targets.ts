@@ -29,7 +29,8 @@ export interface FileAsked extends FaceTarget {
 
 /**
  * The request for all bodies of a file: by one queue of errors over the scene, or with `perBody`, and where they are levels of detail
- * of each other, the same share of each. Needs the history of every body. The page, the command line and the library all ask for files through this.
+ * of each other, the same share of each. Needs the history of every body. The page, the command line and the library all ask for files
+ * through this.
  */
 export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
   const { settings, fields, binding, own, ...target } = asked;
