@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { History } from '../../web/engine/core/core';
-import { facesWithin } from '../../web/engine/stages/budget/deviation_limit';
+import { facesWithin, fewerFacesWithin } from '../../web/engine/stages/budget/deviation_limit';
 
 /** A history of `count` collapses that take two faces each from 1,000. */
 function historyOf(count: number): History {
@@ -53,5 +53,31 @@ describe('the faces at which a largest deviation stops a body', () => {
     const mirror = Uint32Array.from({ length: 502 }, (_, v) => 501 - v);
     const found = facesWithin({ ...historyOf(300), mirror }, 1, within(1000 - 2 * 151));
     expect((1000 - found) % 4).toBe(0);
+  });
+});
+
+describe('fewer faces than those at which a body has stopped', () => {
+  const faces = Uint32Array.from({ length: 480 }, (_, i) => 1000 - 2 * i);
+
+  it('are asked about once where there are none', () => {
+    const asked: number[] = [];
+    expect(fewerFacesWithin(faces, [600, 100], within(600, asked).isWithin)).toBe(600);
+    expect(asked).toEqual([588]);
+  });
+
+  it.each([590, 500, 302, 102])('are the fewest from %i faces on', (fewest) => {
+    const asked: number[] = [];
+    const found = fewerFacesWithin(faces, [600, 100], within(fewest, asked).isWithin);
+    expect(found).toBeGreaterThanOrEqual(fewest);
+    expect(found).toBeLessThanOrEqual(Math.max(fewest + 2, 1.02 * fewest));
+    expect(asked.length).toBeLessThan(12);
+  });
+
+  it('end at those that are wanted', () => {
+    const asked: number[] = [];
+    expect(fewerFacesWithin(faces, [600, 400], within(0, asked).isWithin)).toBe(400);
+    expect(Math.min(...asked)).toBe(400);
+    expect(fewerFacesWithin(faces, [600, 600], within(0).isWithin)).toBe(600);
+    expect(fewerFacesWithin(faces, [60, 1], within(0).isWithin)).toBe(42);
   });
 });

@@ -80,15 +80,17 @@ describe('small bodies', () => {
       expect([name, watching.alone.get(name)]).toEqual([name, undefined]);
   });
 
+  // So many that each has few of the faces, and no search is made for fewer after its fit.
+  const manyParts = () => partsScene(51);
+
   it('stop at the same level where a limit of their deviation is met', async () => {
     const [watching, tight] = [watched(), { maxDeviation: 0.4 }];
-    const many = await optimized(watching.core, partsScene(12), tight);
-    const one = await optimized(single, partsScene(12), tight);
+    const many = await optimized(watching.core, manyParts(), tight);
+    const one = await optimized(single, manyParts(), tight);
     expect(many.bytes).toEqual(one.bytes);
     expect(many.output.stopped().filter(({ guard }) => guard).length).toBeGreaterThan(2);
     expect(watching.together.get('isWithinHausdorff')).toBeGreaterThan(8);
-    expect(watching.together.get('measureHausdorff')).toBeGreaterThan(2);
-    expect(watching.alone.get('measureHausdorff')).toBeUndefined();
+    expect(watching.alone.get('isWithinHausdorff') ?? 0).toBeLessThan(3);
   });
 
   it('have the same further levels, which are guarded and fitted in parallel', async () => {
@@ -96,16 +98,15 @@ describe('small bodies', () => {
     const levelsOf = async ({ output }: { output: FileOutput }) =>
       Promise.all(lods.lods.map(async (_, n) => (await output.level(n, `level${n}.glb`)).files[0].bytes));
     const watching = watched();
-    const many = await optimized(watching.core, partsScene(12), lods);
+    const many = await optimized(watching.core, manyParts(), lods);
     const levels = await levelsOf(many);
-    expect(levels).toEqual(await levelsOf(await optimized(single, partsScene(12), lods)));
-    // Of eight shapes; levels that stop at the same number of faces are fitted once.
+    expect(levels).toEqual(await levelsOf(await optimized(single, manyParts(), lods)));
+    // Of more than eight shapes; levels that stop at the same number of faces are fitted once.
     expect(watching.together.get('fitShape')).toBeGreaterThan(2 * 8);
     const stopped = many.output.values(STAGES.furtherLevels).flat();
     expect(stopped.filter(({ guard }) => guard).length).toBeGreaterThan(2);
-    expect(watching.alone.get('measureHausdorff')).toBeUndefined();
     // A fit that goes beyond the limit is made again by itself.
-    expect(watching.alone.get('fitShape') ?? 0).toBeLessThan(3);
+    expect(watching.alone.get('fitShape') ?? 0).toBeLessThan(0.1 * watching.together.get('fitShape')!);
   });
 
   it('have at a level of the ratio of the first the same result', async () => {

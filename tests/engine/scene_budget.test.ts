@@ -143,6 +143,19 @@ describe('the guard', () => {
     expect(counts[1]).toEqual([2]);
     expect(counts[0][0]).toBeLessThan(400);
   });
+
+  it('judges levels with their fit, so that a ball stays within it with fewer faces than without', async () => {
+    const document = startDocument();
+    addMesh(document, 'ball', [primitiveOf(document, ball(24))]);
+    const fewest = async (settings: Partial<Settings>) => {
+      const { counts, report } = await optimize(document, settings, { faces: 1 });
+      const { hausdorff } = report.surface!;
+      expect(hausdorff).toBeLessThanOrEqual(1);
+      expect(report.stop!.guarded![0].deviation).toBe(hausdorff);
+      return counts[0][0];
+    };
+    expect(await fewest({ fit: 'surface' })).toBeLessThan(0.95 * (await fewest({ fit: 'off' })));
+  });
 });
 
 describe('two-sided leaves', () => {

@@ -34,7 +34,7 @@ export interface FittedResult extends Fitted {
 export interface GuardFinding {
   /** the largest deviation of the settings */
   limit: number;
-  /** of the level that is kept, before the fit */
+  /** of the result */
   deviation: number;
 }
 

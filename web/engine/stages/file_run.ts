@@ -10,7 +10,7 @@ import { admitBodies, admitFit } from './admission';
 import { BodyRun } from './body_run';
 import { FileProgress } from './many_bodies/file_progress';
 import type { WorkSpan } from './many_bodies/file_progress';
-import { tooSmallToMove } from './many_bodies/scene_share';
+import { tooSmallToMove, withFewFaces } from './many_bodies/scene_share';
 import { ValueCache } from './many_bodies/value_cache';
 import { STAGES } from './stages';
 
@@ -49,23 +49,18 @@ export class FileRun {
     const { document, bodies } = model;
     this.guides = options.guides !== false;
     const isChosen = (i: number) => !chosen || chosen.has(i);
-    admitBodies(
-      bodies.filter((_, i) => isChosen(i)),
-      core.heapLimit,
-    );
-    const tooSmall = this.guides
-      ? tooSmallToMove(
-          document,
-          bodies.filter((_, i) => isChosen(i)),
-        )
-      : new Set<Body>();
+    const taking = bodies.filter((_, i) => isChosen(i));
+    admitBodies(taking, core.heapLimit);
+    const tooSmall = this.guides ? tooSmallToMove(document, taking) : new Set<Body>();
+    const few = withFewFaces(taking);
     const cache = bodies.length > 1 ? new ValueCache(2 * bodies.length) : undefined;
     this.all = bodies.map((body, i) => {
       if (!isChosen(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
       const guidedBodies = this.guides ? bodies.length : undefined;
       const isTooSmallToMove = tooSmall.has(body);
-      const context = { core, body, document, onTry, guidedBodies, isTooSmallToMove, cache };
+      const hasFewFaces = few.has(body);
+      const context = { core, body, document, onTry, guidedBodies, isTooSmallToMove, hasFewFaces, cache };
       return new BodyRun(context, options.onStage);
     });
   }

@@ -50,11 +50,16 @@ export interface FitRequest {
   constraints: BodyConstraints;
   /** null: not at all */
   settings: FitSettings | null;
+  /** whether the result is so near to its largest deviation that a fit without this limit is not worth trying first */
+  isNearLimit?: boolean;
   /** see RunContext */
   cache?: ValueCache;
 }
 
-/** The share of the largest deviation that a fit may use: it looks at samples, and where these miss too much, a second fit stays away farther. */
+/**
+ * The shares of the largest deviation that fits may use, one after the other. They look at samples, and where these miss too much, the
+ * last one stays away farther.
+ */
 const DEVIATION_SHARES = [1, 0.85];
 
 /**
@@ -65,30 +70,63 @@ export function fitResult(
   core: Core,
   prepared: PreparedBody,
   result: MeshAt,
-  { constraints, settings, cache }: FitRequest,
+  request: FitRequest,
 ): FittedResult {
-  if (settings === null) return unfitted(result, '');
-  const kind = settings.shell === null ? 'surface' : 'modal';
-  for (const share of sharesOf(settings)) {
-    const fitted = fitWithin(core, prepared, result, { constraints, settings, share, cache });
-    if (keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
-      return { ...fitted, kind, unfitted: describeUnfitted(fitted) };
+  if (request.settings === null) return unfitted(result, '');
+  const { settings, isNearLimit } = request;
+  for (const share of sharesOf(settings, isNearLimit)) {
+    const fitted = fitWithin(core, prepared, result, { ...request, settings, share });
+    const meshes: BeforeAndAfter = [result.mesh, fitted.result.mesh];
+    if (keepsAngle(core, meshes, settings) && keepsDeviation(core, prepared, meshes, settings))
+      return asFitted(fitted, settings);
   }
   return unfitted(result, 'the fit would break a limit of deviation or angle');
 }
 
-const sharesOf = ({ maxDeviation }: FitSettings): number[] => (maxDeviation > 0 ? DEVIATION_SHARES : [1]);
+/** The result, fitted without a limit of its deviation; null where that does not bring it within the largest deviation. */
+export function fitWithinDeviation(
+  core: Core,
+  prepared: PreparedBody,
+  result: MeshAt,
+  request: FitRequest & { settings: FitSettings },
+): FittedResult | null {
+  const { settings } = request;
+  const fitted = fitWithin(core, prepared, result, { ...request, share: Infinity });
+  const { mesh } = fitted.result;
+  const isKept =
+    isWithinDeviation(core, prepared, mesh, settings.maxDeviation) &&
+    keepsAngle(core, [result.mesh, mesh], settings);
+  return isKept ? asFitted(fitted, settings) : null;
+}
+
+const asFitted = (fitted: Fitted, { shell }: FitSettings): FittedResult => ({
+  ...fitted,
+  kind: shell === null ? 'surface' : 'modal',
+  unfitted: describeUnfitted(fitted),
+});
+
+/** A fit without a limit is tried first: it is fast, and mostly stays within the limit. */
+function sharesOf({ maxDeviation }: FitSettings, isNearLimit = false): number[] {
+  if (maxDeviation === 0) return [Infinity];
+  return isNearLimit ? DEVIATION_SHARES : [Infinity, ...DEVIATION_SHARES];
+}
 
 /** The calls of the core with which `fitResult` begins for each result where the fit is to the surface; otherwise none. */
 export function firstFits(
   prepared: PreparedBody,
-  results: MeshAt[],
+  results: (Pick<FitRequest, 'isNearLimit'> & { result: MeshAt })[],
   { constraints, settings }: Pick<FitRequest, 'constraints' | 'settings'>,
 ): CoreCall<'fitShape'>[] {
   if (settings === null || settings.shell !== null) return [];
-  const [share] = sharesOf(settings);
-  const options = fitOptions(prepared, { constraints, settings, share });
-  return results.map((result) => coreCall('fitShape', prepared.mesh, result, options));
+  return results.map(({ result, isNearLimit }) => {
+    const [share] = sharesOf(settings, isNearLimit);
+    return coreCall(
+      'fitShape',
+      prepared.mesh,
+      result,
+      fitOptions(prepared, { constraints, settings, share }),
+    );
+  });
 }
 
 type FitOfShare = Omit<FitRequest, 'settings'> & { settings: FitSettings; share: number };
@@ -123,7 +161,7 @@ function fitOptions(
     locked: maskOf(mesh, constraints.pinned, constraints.locked) ?? new Uint8Array(),
     pinned: constraints.pinned ?? new Uint32Array(),
     mirror: constraints.mirror,
-    maxDeviation: ((share * settings.maxDeviation) / 100) * prepared.diagonal,
+    maxDeviation: Number.isFinite(share) ? ((share * settings.maxDeviation) / 100) * prepared.diagonal : 0,
     minAngle: settings.minAngle,
     samples: prepared.samples,
   };
@@ -155,15 +193,21 @@ const unfitted = (result: MeshAt, why: string): FittedResult => ({
   unfitted: why,
 });
 
-/** Whether `after` satisfies the targets of shape, or violates them no more than `before`. */
-function keepsTargets(
+type BeforeAndAfter = [before: TriangleMesh, after: TriangleMesh];
+
+/** Whether `after` satisfies the smallest angle, or violates it no more than `before`. */
+function keepsAngle(core: Core, [before, after]: BeforeAndAfter, { minAngle }: FitSettings): boolean {
+  const angleOf = (mesh: TriangleMesh) => core.measureQuality(mesh).minAngle;
+  return minAngle === 0 || angleOf(after) >= Math.min(minAngle, angleOf(before));
+}
+
+/** The same of the largest deviation. */
+function keepsDeviation(
   core: Core,
   prepared: PreparedBody,
-  [before, after]: [TriangleMesh, TriangleMesh],
-  { maxDeviation, minAngle }: FitSettings,
+  [before, after]: BeforeAndAfter,
+  { maxDeviation }: FitSettings,
 ): boolean {
-  const angleOf = (mesh: TriangleMesh) => core.measureQuality(mesh).minAngle;
-  if (minAngle > 0 && angleOf(after) < Math.min(minAngle, angleOf(before))) return false;
   // What is kept is measured in full later on, and that is remembered.
   if (maxDeviation === 0 || measureDistance(core, prepared, after).hausdorff <= maxDeviation) return true;
   if (isWithinDeviation(core, prepared, before, maxDeviation)) return false;

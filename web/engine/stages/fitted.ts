@@ -9,9 +9,11 @@ import { errorCurveStage } from './budget/error_curve';
 import { FIT_SETTINGS, firstFits, fitSettings } from './fit';
 import { findFrequencyLevel } from './budget/frequency_level';
 import type { FrequencyTarget } from './budget/frequency_level';
-import { fitGuarded } from './budget/guarded_fit';
+import { firstToFit, fitGuarded } from './budget/guarded_fit';
 import { guardedLevelStage } from './budget/guarded_level';
 import { keptHistoryStage } from './kept_history';
+import { levelStage } from './level';
+import { measureDistance } from './measure';
 import { preparedStage } from './prepared';
 import { declareStage } from './stage';
 import { TUNE_SETTINGS, tuneSettings } from './tune';
@@ -42,6 +44,7 @@ export const fittedStage = declareStage({
     prepared: preparedStage,
     constraints: constraintsStage,
     kept: keptHistoryStage,
+    wanted: levelStage,
     level: guardedLevelStage,
     curve: errorCurveStage,
     deviations: deviationsStage,
@@ -53,15 +56,18 @@ export const fittedStage = declareStage({
   },
   run: (context, { constraints, ...inputs }, { fit, frequency, maxDeviation }): FittedLevel => {
     const { prepared, kept, level } = inputs;
-    const request = { constraints: constraints.constraints, settings: fit, cache: context.cache };
+    const { cache, hasFewFaces } = context;
+    const request = { constraints: constraints.constraints, settings: fit, cache };
     if (!frequency) {
-      const guarded = fitGuarded(context.core, { ...inputs, limit: maxDeviation }, request);
+      const guarded = fitGuarded(context.core, { ...inputs, hasFewFaces, limit: maxDeviation }, request);
       return { ...guarded, frequency: null };
     }
     const target = { ...frequency, targetFaces: faceCount(level.result.mesh) };
     const found = findFrequencyLevel(context, { prepared, kept }, request, target);
-    return { ...found, guard: found.frequency.isBinding ? null : level.guard };
+    const isGuarded = level.isStopped && !found.frequency.isBinding;
+    const deviation = (): number => measureDistance(context.core, prepared, found.result.mesh).hausdorff;
+    return { ...found, guard: isGuarded ? { limit: maxDeviation, deviation: deviation() } : null };
   },
   firstCalls: (_context, { prepared, constraints: { constraints }, level }, { fit, frequency }) =>
-    frequency ? [] : firstFits(prepared, [level.result], { constraints, settings: fit }),
+    frequency ? [] : firstFits(prepared, [firstToFit(level)], { constraints, settings: fit }),
 });

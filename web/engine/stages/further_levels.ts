@@ -8,7 +8,7 @@ import { deviationsStage } from './budget/deviations';
 import { errorCurveStage } from './budget/error_curve';
 import { facesByRatio } from './budget/face_shares';
 import { FIT_SETTINGS, firstFits, fitSettings } from './fit';
-import { fitGuarded } from './budget/guarded_fit';
+import { firstToFit, fitGuarded } from './budget/guarded_fit';
 import { guardIfUnsure } from './budget/guarded_level';
 import type { GuardFinding } from '../body/body_result';
 import { keptHistoryStage } from './kept_history';
@@ -47,6 +47,7 @@ const guardedLevels = declareStage({
   run: ({ core }, { collapsed, ...inputs }, { maxDeviation }) =>
     collapsed.map(({ targetFaces, level }) => ({
       targetFaces,
+      wanted: level,
       level: guardIfUnsure(core, inputs, level, maxDeviation),
     })),
 });
@@ -75,19 +76,23 @@ export const furtherLevelsStage = declareStage({
     settings: fitSettings({ ...settings, maxDeviation }),
   }),
   run: (
-    { core, cache },
+    { core, cache, hasFewFaces },
     { prepared, constraints, guarded, ...inputs },
     { maxDeviation: limit, settings },
   ): FurtherLevel[] =>
-    guarded.map(({ targetFaces, level }) => {
+    guarded.map(({ targetFaces, wanted, level }) => {
       const request = { constraints: constraints.constraints, settings, cache };
-      const { result, guard } = fitGuarded(core, { prepared, level, limit, ...inputs }, request);
+      const { result, guard } = fitGuarded(
+        core,
+        { prepared, wanted, level, limit, hasFewFaces, ...inputs },
+        request,
+      );
       return { targetFaces, result, guard, measured: measureResult(core, prepared, result) };
     }),
   firstCalls: (_context, { prepared, constraints: { constraints }, guarded }, { settings }) =>
     firstFits(
       prepared,
-      guarded.map(({ level }) => level.result),
+      guarded.map(({ level }) => firstToFit(level)),
       { constraints, settings },
     ),
 });

@@ -36,6 +36,8 @@ export interface RunContext {
   cache?: ValueCache;
   /** whether the body is so small in its scene that its modes do not matter, see `scene_share`; absent: it is not */
   isTooSmallToMove?: boolean;
+  /** whether the body has so few faces of its file that a search for a few per cent less is not worth its time; absent: it has not */
+  hasFewFaces?: boolean;
   /** called before each number of faces that is tried to keep the frequencies */
   onTry?: (faces: number) => void;
 }

@@ -58,6 +58,47 @@ export function* searchWithinDeviation(
   return facesAt(good);
 }
 
+/** `fewerFacesWithin` tries one level with at least this share of fewer faces, and twice as many each time that one is within the limit. */
+const FEWER = 0.02;
+
+/**
+ * The fewest faces, of those `from` which a level is within the limit down `to` the wanted ones, that are found to be within it
+ * without a gap of levels that are not; to 1 %. Where the next level is not, that is the only one that is asked for. `faces`: of all
+ * levels, falling.
+ */
+export function fewerFacesWithin(
+  faces: ArrayLike<number>,
+  [from, to]: [from: number, to: number],
+  isWithin: (faces: number) => boolean,
+): number {
+  const last = levelOf(faces, to);
+  const first = levelOf(faces, from);
+  let [good, bad] = [first, last + 1];
+  for (let fewer = FEWER; good < last && bad > last; fewer *= 2) {
+    const next = Math.min(last, levelOf(faces, (1 - fewer) * faces[good]));
+    if (isWithin(faces[next])) good = next;
+    else bad = next;
+  }
+  if (bad > last || good === first) return faces[good];
+  while (bad - good > 1 && faces[good] > CLOSE * faces[bad]) {
+    const middle = Math.floor((good + bad) / 2);
+    if (isWithin(faces[middle])) good = middle;
+    else bad = middle;
+  }
+  return faces[good];
+}
+
+/** The first level with at most so many faces; the last one where none has. */
+function levelOf(faces: ArrayLike<number>, count: number): number {
+  let [low, high] = [0, faces.length - 1];
+  while (low < high) {
+    const middle = Math.floor((low + high) / 2);
+    if (faces[middle] <= count) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
 /** Numbers of collapses, ascending from 0, that do not separate a collapse from its mirror image. */
 export function wholeEnds(history: History): number[] {
   const ends = [0];

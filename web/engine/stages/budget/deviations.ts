@@ -30,15 +30,15 @@ export class Deviations {
     private readonly known = nothing(),
   ) {}
 
-  /** Of the level of at most `faces` faces, in % of the diagonal. `level`: that level, where it is at hand. */
-  at(faces: number, level?: MeshAt): number {
+  /** Of the level of at most `faces` faces, in % of the diagonal. */
+  at(faces: number): number {
     const { exact } = this.known;
-    const deviation = exact.get(faces) ?? measureDeviation(this.core, this.prepared, this.mesh(faces, level));
+    const deviation = exact.get(faces) ?? measureDeviation(this.core, this.prepared, this.mesh(faces));
     exact.set(faces, deviation);
     return deviation;
   }
 
-  /** Whether `at` is at most `limit`, which is found in a fraction of the time. */
+  /** Whether `at` is at most `limit`, which is found in a fraction of the time. `level`: that level, where it is at hand. */
   isWithin(faces: number, limit: number, level?: MeshAt): boolean {
     const { exact, within } = this.known;
     const deviation = exact.get(faces);
@@ -49,15 +49,8 @@ export class Deviations {
     return is;
   }
 
-  /** The arguments of `measureDeviation` for a level that has not been measured; null: it has been. */
-  toMeasure(faces: number): Comparison<number, number> | null {
-    const { exact } = this.known;
-    if (exact.has(faces)) return null;
-    return { prepared: this.prepared, other: this.mesh(faces), results: exact, key: faces };
-  }
-
-  /** The same of `isWithinDeviation`. */
-  toAsk(faces: number, limit: number): Comparison<string, boolean> | null {
+  /** The arguments of `isWithinDeviation` for a level that has not been asked about; null: it has been. */
+  toAsk(faces: number, limit: number): Comparison | null {
     const { exact, within } = this.known;
     const key = withinKey(faces, limit);
     if (exact.has(faces) || within.has(key)) return null;
@@ -72,19 +65,19 @@ export class Deviations {
 const withinKey = (faces: number, limit: number): string => `${faces} ${limit}`;
 
 /** A level that is yet to be compared with its original, and where the result is remembered. */
-interface Comparison<Key, Value> {
+interface Comparison {
   prepared: PreparedBody;
   other: TriangleMesh;
-  results: Map<Key, Value>;
-  key: Key;
+  results: Map<string, boolean>;
+  key: string;
 }
 
 /** Bodies of one shape share the results of their levels. */
-function withoutRepetition<One extends Comparison<unknown, unknown>>(all: (One | null)[]): One[] {
-  const seen = new Map<One['results'], Set<unknown>>();
+function withoutRepetition<One extends Comparison>(all: (One | null)[]): One[] {
+  const seen = new Map<One['results'], Set<string>>();
   return all.filter((one): one is One => {
     if (!one) return false;
-    const keys = seen.get(one.results) ?? new Set();
+    const keys = seen.get(one.results) ?? new Set<string>();
     const isNew = !keys.has(one.key);
     seen.set(one.results, keys.add(one.key));
     return isNew;
@@ -108,19 +101,6 @@ export function askInParallel(
   answers.forEach((answer, i) => {
     const { results, key } = unknown[i];
     if (typeof answer === 'boolean') results.set(key, answer);
-  });
-}
-
-/** Measures levels for `Deviations.at` in parallel. */
-export function measureInParallel(core: Core, levels: { deviations: Deviations; faces: number }[]): void {
-  const unknown = withoutRepetition(levels.map(({ deviations, faces }) => deviations.toMeasure(faces)));
-  const found = core.callAll(
-    'measureHausdorff',
-    unknown.map(({ prepared, other }) => [prepared.mesh, other, prepared.samples]),
-  );
-  found.forEach((distance, i) => {
-    const { prepared, results, key } = unknown[i];
-    if (typeof distance === 'number') results.set(key, (100 / prepared.diagonal) * distance);
   });
 }
 

@@ -2,32 +2,73 @@
 
 import type { FittedResult, GuardFinding } from '../../body/body_result';
 import type { PreparedBody } from '../../body/prepared_body';
-import type { Core } from '../../core/core';
-import { fitResult } from '../fit';
+import type { Core, MeshAt } from '../../core/core';
+import { faceCount } from '../../core/mesh';
+import { fitResult, fitWithinDeviation } from '../fit';
 import type { FitRequest } from '../fit';
+import { levelAt } from '../level';
+import { isWithinDeviation, measureDistance } from '../measure';
+import { fewerFacesWithin } from './deviation_limit';
 import { guardLevel } from './guarded_level';
 import type { GuardedLevel, GuardInputs } from './guarded_level';
-import { isWithinDeviation } from '../measure';
 
 export interface GuardedFit extends GuardInputs {
   prepared: PreparedBody;
+  /** the level of the wanted faces */
+  wanted: MeshAt;
+  /** that level, guarded before the fit */
   level: GuardedLevel;
   /** % of the diagonal; 0: none */
   limit: number;
+  /** see RunContext */
+  hasFewFaces?: boolean;
 }
 
 /**
  * The level, fitted. Where that is too far from the original after all, although the estimates left no doubt, one of more faces is
- * measured and fitted instead.
+ * taken instead; where the level has more faces than wanted and its fit leaves room within the limit, one of fewer.
  */
 export function fitGuarded(
   core: Core,
-  { prepared, level, limit, ...inputs }: GuardedFit,
+  body: GuardedFit,
   request: FitRequest,
 ): FittedResult & { guard: GuardFinding | null } {
-  const fitted = fitResult(core, prepared, level.result, request);
-  const isTooFar = () => !isWithinDeviation(core, prepared, fitted.result.mesh, limit);
-  if (limit === 0 || level.guard || !isTooFar()) return { ...fitted, guard: level.guard };
-  const { result, guard } = guardLevel(core, inputs, level.result, limit);
-  return { ...fitResult(core, prepared, result, request), guard };
+  const { prepared, level, limit, wanted } = body;
+  const fitOf = (result: MeshAt): FittedResult =>
+    fitResult(core, prepared, result, { ...request, isNearLimit: level.isStopped });
+  const isWithin = ({ mesh }: MeshAt): boolean => isWithinDeviation(core, prepared, mesh, limit);
+  const first = fitOf(level.result);
+  if (limit === 0 || (!level.isStopped && isWithin(first.result))) return { ...first, guard: null };
+  const stopped = level.isStopped ? first : fitOf(guardLevel(core, body, level.result, limit).result);
+  const fitted = withFewerFaces(core, body, stopped, request);
+  if (faceCount(fitted.result.mesh) <= faceCount(wanted.mesh)) return { ...fitted, guard: null };
+  const { hausdorff } = measureDistance(core, prepared, fitted.result.mesh);
+  return { ...fitted, guard: { limit, deviation: hausdorff } };
 }
+
+/** The level with the fewest faces, from those of `stopped` to the wanted ones, that its fit brings within the limit. */
+function withFewerFaces(
+  core: Core,
+  { prepared, kept, curve, wanted, hasFewFaces }: GuardedFit,
+  stopped: FittedResult,
+  { settings, ...request }: FitRequest,
+): FittedResult {
+  if (settings === null || hasFewFaces) return stopped;
+  let fewest = stopped;
+  fewerFacesWithin(curve.faces, [faceCount(stopped.result.mesh), faceCount(wanted.mesh)], (faces) => {
+    const level = levelAt(core, kept, faces);
+    const fitted = fitWithinDeviation(core, prepared, level, { ...request, settings });
+    fewest = fitted ?? fewest;
+    return fitted !== null;
+  });
+  return fewest;
+}
+
+/** The first fit of `fitGuarded`, for `firstFits`. */
+export const firstToFit = ({
+  result,
+  isStopped,
+}: GuardedLevel): { result: MeshAt; isNearLimit: boolean } => ({
+  result,
+  isNearLimit: isStopped,
+});

@@ -1,10 +1,9 @@
-/** Stage: the level of the wanted faces, or one of more faces where the surface would be too far from the original. */
+/** Stage: the level of the wanted faces, or one of more faces where the surface would be too far from the original before any fit. */
 
-import type { GuardFinding } from '../../body/body_result';
 import type { Core, MeshAt } from '../../core/core';
 import { faceCount } from '../../core/mesh';
 import { searchWithinDeviation } from './deviation_limit';
-import { askInParallel, deviationsStage, measureInParallel } from './deviations';
+import { askInParallel, deviationsStage } from './deviations';
 import type { Deviations } from './deviations';
 import { collapsesWithin, errorCurveStage } from './error_curve';
 import type { ErrorCurve } from './error_curve';
@@ -15,8 +14,8 @@ import { declareStage } from '../stage';
 
 export interface GuardedLevel {
   result: MeshAt;
-  /** null where the wanted faces are within the limit, or there is none */
-  guard: GuardFinding | null;
+  /** whether the level of the wanted faces is beyond the limit */
+  isStopped: boolean;
 }
 
 /** What is known of a body where its levels are searched. */
@@ -36,7 +35,7 @@ export const guardedLevelStage = declareStage({
 /** The level as it is where the estimates leave no doubt; elsewhere by `guardLevel`. */
 export const guardIfUnsure = (core: Core, inputs: GuardInputs, level: MeshAt, limit: number): GuardedLevel =>
   isSurelyWithin(inputs, level, limit)
-    ? { result: level, guard: null }
+    ? { result: level, isStopped: false }
     : guardLevel(core, inputs, level, limit);
 
 /** A body is measured where the estimate of its deviation is not below this share of the limit. */
@@ -62,9 +61,8 @@ export function guardLevel(
   while (!step.done)
     step = search.next(deviations.isWithin(step.value, limit, step.value === wanted ? level : undefined));
   const faces = step.value;
-  if (faces === wanted) return { result: level, guard: null };
-  const result = levelAt(core, kept, faces);
-  return { result, guard: { limit, deviation: deviations.at(faces, result) } };
+  if (faces === wanted) return { result: level, isStopped: false };
+  return { result: levelAt(core, kept, faces), isStopped: true };
 }
 
 /** The questions of `guardLevel`: the faces of levels that may be within the limit. Returns the faces of the level that it takes. */
@@ -91,7 +89,7 @@ export function guardInParallel(core: Core, levels: LevelToGuard[]): void {
   const searches = unsure.map((one) => {
     const wanted = faceCount(one.level.mesh);
     const search = searchLevel(one, wanted, one.limit);
-    return { ...one, wanted, search, step: search.next() };
+    return { ...one, search, step: search.next() };
   });
   for (;;) {
     const open = searches.filter(({ step }) => !step.done);
@@ -100,9 +98,4 @@ export function guardInParallel(core: Core, levels: LevelToGuard[]): void {
     askInParallel(core, questions);
     for (const one of open) one.step = one.search.next(one.deviations.isWithin(one.step.value, one.limit));
   }
-  const guarded = searches.filter(({ step, wanted }) => step.value !== wanted);
-  measureInParallel(
-    core,
-    guarded.map(({ deviations, step }) => ({ deviations, faces: step.value })),
-  );
 }

@@ -1,7 +1,7 @@
-/** How large the bodies of a scene are in it, and which of them are too small for their motion to be seen. */
+/** How large the bodies of a scene are in it: which are too small for their motion to be seen, and which have few of its faces. */
 
 import type { Document, Mesh, Node } from '@gltf-transform/core';
-import { boundsOf, diagonalOf } from '../../core/mesh';
+import { boundsOf, diagonalOf, sum } from '../../core/mesh';
 import type { Bounds } from '../../core/mesh';
 import type { Body } from '../../document/model';
 
@@ -16,6 +16,18 @@ const VISIBLE = 0.001;
 export function tooSmallToMove(document: Document, bodies: readonly Body[]): Set<Body> {
   const shares = sharesOfScene(document, bodies);
   return new Set(bodies.filter((_, i) => AMPLITUDE * shares[i] < VISIBLE));
+}
+
+/**
+ * The share of the faces of all bodies below which a body has few: what a search in one of these saves is not worth its time, and at
+ * most fifty have more.
+ */
+const FEW_FACES = 0.02;
+
+/** Those of the bodies that take part whose faces are few beside those of all. */
+export function withFewFaces(bodies: readonly Body[]): Set<Body> {
+  const all = sum(bodies.map(({ indices }) => indices.length));
+  return new Set(bodies.filter(({ indices }) => indices.length < FEW_FACES * all));
 }
 
 /**
