@@ -2,7 +2,7 @@
 
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core/core';
-import { hasLevels } from '../../web/engine/document/facts/levels_of_detail';
+import { withKnownLevels } from '../../web/engine/document/facts/levels_of_detail';
 import { openModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { requestFile } from '../../web/engine/stages/budget/file_targets';
@@ -40,7 +40,7 @@ describe('levels of detail of a file', () => {
     [['ball1', 'ball2'], false],
   ])('are nodes of one name with different numbers: %j', async (names, expected) => {
     const model = await modelOf(...names);
-    expect(hasLevels(model)).toBe(expected);
+    expect(model.hasLevels ?? false).toBe(expected);
     expect(model.notes.includes(NOTE)).toBe(expected);
   });
 
@@ -58,7 +58,13 @@ describe('levels of detail of a file', () => {
       textures: [],
       samplers: [],
     };
-    expect(hasLevels({ ...model, foreign })).toBe(true);
+    expect(withKnownLevels({ ...model, foreign }).hasLevels).toBe(true);
+  });
+
+  it('are groups of an OBJ too', async () => {
+    const text = ['v 0 0 0', 'v 1 0 0', 'v 0 1 0', 'o ball_LOD0', 'f 1 2 3', 'o ball_LOD1', 'f 3 2 1', ''];
+    const model = await openModel([{ name: 'a.obj', bytes: new TextEncoder().encode(text.join('\n')) }]);
+    expect([model.hasLevels, model.notes.includes(NOTE)]).toEqual([true, true]);
   });
 
   it('keep the same share of their faces, so that none becomes coarser than the next', async () => {

@@ -18,7 +18,6 @@ import {
 import { canBeCarried, foreignOf } from './extensions/foreign';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { describeFallbacks, requireFormats } from './checks/fallback_images';
-import { hasLevels } from './facts/levels_of_detail';
 import { withoutImageless } from './checks/imageless';
 import { jsonMistake } from '../core/json_mistake';
 import { counted } from '../core/words';
@@ -27,9 +26,6 @@ import { describeFailure } from './checks/reading_failure';
 import { checkEncoding } from './checks/text_encoding';
 import { firstProblem } from './validate';
 import { storedIn, withKnownNames } from './write/compression';
-
-const LEVELS_NOTE =
-  'levels of detail: each keeps the same share of its faces, and what says when it is shown stays';
 
 /**
  * Opens `file` with its companions among `files`; it may have no body. Images that are not there stay references. Throws an
@@ -59,14 +55,7 @@ export async function openGltf(
     format,
     document,
     bodies,
-    notes: [
-      ...notes,
-      ...restPoseNotes(document),
-      ...(hasLevels({ document, foreign }) ? [LEVELS_NOTE] : []),
-      ...describeMissing(missing),
-      ...imageless,
-      ...fallbacks,
-    ],
+    notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing), ...imageless, ...fallbacks],
     unread: [],
     stored,
     foreign,

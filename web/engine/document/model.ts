@@ -48,6 +48,8 @@ export interface OpenModel {
   notes: string[];
   /** content that the reader could not take into the document, in plain words: "UV coordinates" */
   unread: string[];
+  /** whether its meshes are levels of detail of each other; absent: they are not */
+  hasLevels?: true;
   /** how its vertices were stored; absent: plainly */
   stored?: Stored;
   /** extensions that its document does not have; null or absent: none */

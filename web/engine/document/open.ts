@@ -4,6 +4,7 @@ import { isZip, unpacked } from './archive/read_zip';
 import { wayOfOtherFormat } from './checks/other_formats';
 import { formatOfName } from './format_names';
 import { openObj } from './formats/obj/open_obj';
+import { withKnownLevels } from './facts/levels_of_detail';
 import { isGlb } from './glb';
 import { openGltf } from './gltf';
 import type { Format, OpenModel, SourceFile } from './model';
@@ -46,7 +47,7 @@ export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
     return modelOfSurfaces(file.name, format, SURFACE_READERS[format](file));
   });
   await loadDecoders(model.document);
-  return model;
+  return withKnownLevels(model);
 }
 
 /** What a glTF without triangles has, in words that follow its name. */

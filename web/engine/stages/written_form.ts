@@ -1,6 +1,5 @@
 /** Whether a file can be written as it is asked for: known before the work. */
 
-import { hasLevels } from '../document/facts/levels_of_detail';
 import { refusedExtensions } from '../document/extensions/refused';
 import type { RefusedExtension } from '../document/extensions/refused';
 import type { OpenModel } from '../document/open';
@@ -27,7 +26,7 @@ export function checkWritten(
   checkForm(form, { compression: settings.compress, style: settings.lodStyle, levels: settings.lods.length });
   if (form.format !== 'glb' && form.format !== 'gltf')
     return { form, lost: [...lostIn(form.format, model), ...model.unread] };
-  if (settings.lodStyle !== 'files' && settings.lods.length > 0 && hasLevels(model))
+  if (settings.lodStyle !== 'files' && settings.lods.length > 0 && model.hasLevels)
     throw new SettingError('lodStyle', [
       `would put levels into ${model.name}, which has levels of detail already: take files, or leave out `,
       { setting: 'lods' },

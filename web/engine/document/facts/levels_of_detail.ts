@@ -5,9 +5,16 @@ import type { OpenModel } from '../model';
 
 const NUMBERED = /^(.*)[_-]LOD(\d+)$/i;
 
-/** Whether meshes of the file are levels of detail of others. */
-export const hasLevels = ({ document, foreign }: Pick<OpenModel, 'document' | 'foreign'>): boolean =>
-  Boolean(foreign?.extensions.some(({ name }) => name === 'MSFT_lod')) || hasNumberedNodes(document);
+const NOTE = 'levels of detail: each keeps the same share of its faces, and what says when it is shown stays';
+
+/** The model, with `hasLevels` and a note where meshes of its file are levels of detail of others. */
+export function withKnownLevels(model: OpenModel): OpenModel {
+  const { document, foreign, notes } = model;
+  const isExtended = foreign?.extensions.some(({ name }) => name === 'MSFT_lod');
+  return isExtended || hasNumberedNodes(document)
+    ? { ...model, hasLevels: true, notes: [...notes, NOTE] }
+    : model;
+}
 
 /** Whether nodes with meshes have one name and different numbers of levels. */
 function hasNumberedNodes(document: Document): boolean {

@@ -1,7 +1,6 @@
 /** How many faces each body of a file may keep, of what is asked of the file as a whole. */
 
 import { allFaces } from '../../body/layers';
-import { hasLevels } from '../../document/facts/levels_of_detail';
 import { instanceScale } from '../../document/placements';
 import type { Settings } from '../../settings/options';
 import { errorCurveStage } from './error_curve';
@@ -37,7 +36,7 @@ export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
   const shared = file.usable.filter(({ i }) => !own?.has(i));
   const fewestFaces = fewestOfOnly(file, asked);
   const share =
-    settings.perBody || hasLevels(file.model)
+    settings.perBody || file.model.hasLevels
       ? shareEach(file, shared, settings)
       : shareScene(file, shared, { ...settings, fewestFaces });
   const targetsFor = (asked: FaceTarget): number[] => {
