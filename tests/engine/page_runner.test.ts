@@ -274,6 +274,15 @@ describe('another model', () => {
     expect(twin.wantsTuned.value).toBe(false);
   });
 
+  it('starts without how the last one was read and what it could touch, in the format chosen for it', async () => {
+    await open();
+    const ofPerson = { format: 'ply', compress: 'draco', lodStyle: 'nodes' } as const;
+    changeSettings({ ...ofPerson, unit: 0.01, weld: 0.1, colliders: 'ball:0,0,0,1', exclude: 'Eye*' });
+    await open();
+    const { unit, weld, colliders, exclude } = defaultSettings();
+    expect(wants.settings.value).toMatchObject({ ...ofPerson, unit, weld, colliders, exclude });
+  });
+
   it('has what a link asks of it', async () => {
     await open();
     const settings = { ...defaultSettings(), ...ofUse };

@@ -418,6 +418,7 @@ const ROWS = {
     default: 1,
     help: 'Length of one unit of the file in metres; it changes frequencies, not the mesh.',
     group: 'material',
+    isOfUse: true,
     placeholder: 'METRES',
   },
   /** the solver that results are tuned for, see solvers/profiles.ts */
@@ -567,6 +568,7 @@ const ROWS = {
     default: '',
     help: 'What both bodies can touch besides what the scenario has, in units of the body: ground:HEIGHT (across y), ball:x,y,z,R, capsule:x0,y0,z0,x1,y1,z1,R, joined by +.',
     group: 'simulation',
+    isOfUse: true,
   },
   friction: {
     kind: 'number',
@@ -675,6 +677,7 @@ const ROWS = {
     default: 0,
     help: 'Vertices closer than this become one, in % of the diagonal; 0 joins equal positions only.',
     group: 'common',
+    isOfUse: true,
     placeholder: 'PCT',
   },
   /** 0: as many as there are cores, at most 8 */

@@ -26,7 +26,7 @@ interface Described {
   page?: PageSection;
   /** It names parts of one file, so another file starts with the default. */
   isOfFile?: true;
-  /** It says what one model is for, so the page starts with the default when another one is opened. */
+  /** It says how one model is read or what it is for, so the page starts with the default when another one is opened. */
   isOfUse?: true;
   /** It describes the machine and changes no result, so links and printed command lines leave it out. */
   isOfMachine?: true;
