@@ -26,10 +26,10 @@ async function openSheet(page: Page): Promise<void> {
   await expect(keptFaces(page)).toBeEnabled();
 }
 
-/** A stroke over the middle of the original, which is the left one of two. */
-async function stroke(page: Page, height = 30): Promise<void> {
+/** A stroke over the middle of the original, which is the left one of two; `across`: of another place, over the width of both. */
+async function stroke(page: Page, height = 30, across = 1 / 4): Promise<void> {
   const box = (await page.locator('.viewport canvas').boundingBox())!;
-  const [x, y] = [box.x + box.width / 4, box.y + box.height / 2];
+  const [x, y] = [box.x + across * box.width, box.y + box.height / 2];
   await page.mouse.move(x, y - height);
   await page.mouse.down();
   await page.mouse.move(x, y + height, { steps: 8 });
@@ -64,6 +64,18 @@ test('paint keeps triangles, locks vertices, is erased, and undone stroke by str
   await button(page, 'Undo').click();
   await expect(button(page, 'Undo')).toBeDisabled();
   await expect(button(page, 'Redo')).toBeEnabled();
+});
+
+test('a stroke over the optimized mesh paints the original at the same place', async ({ page }) => {
+  await openSheet(page);
+  await brush(page, 'Keep').click();
+  await stroke(page, 30, 3 / 4);
+  await expect(page.getByText(/^\d+ kept$/)).toBeVisible();
+  await brush(page, 'Erase').click();
+  // As wide as the stroke, wherever the view has come to rest meanwhile.
+  for (let i = 0; i < 4; ++i) await page.keyboard.press(']');
+  await stroke(page, 60);
+  await expect(page.getByText(/^\d+ kept$/)).toHaveCount(0);
 });
 
 test('a painted sheet is written with the same bytes by the command line', async ({ page }) => {

@@ -11,10 +11,11 @@ function pickTool() {
   const tool = { radius: () => 0.1, hover: () => {}, paint: vi.fn(), finish: vi.fn() };
   let isInUse = true;
   const canvas = Object.assign(new EventTarget(), { setPointerCapture: () => {} });
+  const ray = () => new Ray(new Vector3(mesh.positions[0], mesh.positions[1], 9), new Vector3(0, 0, -1));
   const host = {
     tool: () => (isInUse ? tool : null),
     mesh: () => (isInUse ? mesh : null),
-    rayAt: () => new Ray(new Vector3(mesh.positions[0], mesh.positions[1], 9), new Vector3(0, 0, -1)),
+    rayAt: vi.fn((_x: number, _y: number, _fromX: number) => ray()),
     isBroad: () => true,
     fail: vi.fn(),
   };
@@ -32,6 +33,21 @@ it('a stroke ends where the pointer is released', () => {
   send('pointermove', 20);
   send('pointerup', 20);
   expect([tool.paint.mock.calls.length, tool.finish.mock.calls.length]).toEqual([2, 1]);
+});
+
+it('a stroke goes on through the picture in which it has begun', () => {
+  const { send, host, picking } = pickTool();
+  picking.aim({ clientX: 3, clientY: 0 });
+  send('pointerdown', 1);
+  send('pointermove', 7);
+  send('pointerup', 7);
+  picking.aim({ clientX: 8, clientY: 0 });
+  const calls = host.rayAt.mock.calls.map(([x, , fromX]) => [x, fromX]);
+  expect([calls[0], calls.find(([x]) => x === 7), calls.at(-1)]).toEqual([
+    [3, 3],
+    [7, 1],
+    [8, 8],
+  ]);
 });
 
 it('a stroke is dropped where its tool is put down before', () => {

@@ -4,6 +4,7 @@ import { vertexCount } from '../../engine/core/mesh';
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 import type { Levels } from '../../engine/settings/paint_text';
+import { BrushRing } from './brush_ring';
 import { geometryFrom, setDisplacement, setField, setPaint } from './body_geometry';
 import type { Field } from './body_geometry';
 import { CollisionSceneView } from './collision_scene_view';
@@ -51,6 +52,7 @@ export class Pane {
   readonly dots: Dots;
   /** at the vertex under the pointer */
   readonly hoverDot: Dots;
+  readonly ring = new BrushRing();
   readonly collisionScene = new CollisionSceneView();
   readonly stand = new Stand();
   /** the mesh that is drawn */
@@ -87,7 +89,7 @@ export class Pane {
     this.body.frustumCulled = false; // a swinging body leaves the bounds of its rest pose
     this.body.visible = false;
     this.scene.add(this.body, this.dots.points, this.hoverDot.points, this.collisionScene.group);
-    this.scene.add(this.stand.group);
+    this.scene.add(this.stand.group, this.ring.line);
   }
 
   /** Shows a mesh; a large one later, when the returned promise resolves, unless another one is asked for meanwhile. */

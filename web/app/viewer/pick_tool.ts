@@ -24,8 +24,8 @@ export interface PickHost {
   tool(): StrokeTool | null;
   /** null: nothing is shown that it could work on */
   mesh(): TriangleMesh | null;
-  /** null where another mesh is shown */
-  rayAt(clientX: number, clientY: number): Ray | null;
+  /** through the picture that `fromX` lies in, where a stroke begins; null where the tool does not work */
+  rayAt(clientX: number, clientY: number, fromX: number): Ray | null;
   /** whether a click picks the whole disc of the brush, not one vertex */
   isBroad(): boolean;
   /** called where nothing can be picked on the mesh until `prepare` is called again */
@@ -175,7 +175,7 @@ export class PickTool {
 
   private pickedAt({ clientX, clientY }: PagePoint): PickedVertex | null {
     const tree = this.tree();
-    const ray = tree && this.host.rayAt(clientX, clientY);
+    const ray = tree && this.host.rayAt(clientX, clientY, this.stroke?.startX ?? clientX);
     return ray ? tree.underRay(ray) : null;
   }
 

@@ -4,7 +4,6 @@ import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 import type { Levels } from '../../engine/settings/paint_text';
 import type { Field } from './body_geometry';
-import { BrushRing } from './brush_ring';
 import type { BrushMark } from './brush_ring';
 import { pointsToShow } from './collision_scene_view';
 import type { CollisionSceneLook, ShownCollisionScene } from './collision_scene_view';
@@ -41,7 +40,6 @@ export class Viewport {
   private readonly maps: Record<MapName, THREE.DataTexture>;
   private readonly panes: Record<PaneName, Pane>;
   private readonly pickPreview: Dots;
-  private readonly ring = new BrushRing();
   /** vertices of the original */
   private pinned: Iterable<number> = [];
   /** whether the camera waits for a large mesh */
@@ -68,7 +66,7 @@ export class Viewport {
     const pane = (): Pane => new Pane(this.maps.viridis, ratio, () => (this.isStale = true));
     this.panes = { original: pane(), optimized: pane() };
     this.pickPreview = new Dots(ratio);
-    this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
+    this.panes.original.scene.add(this.pickPreview.points);
     this.orbit = new OrbitCamera(canvas);
     this.keeper = new FrameKeeper(this.orbit);
     this.files = new ShownFiles(this.renderer, this.orbit.camera, this.panes);
@@ -189,9 +187,9 @@ export class Viewport {
     this.isStale = true;
   }
 
-  /** Shows the outline of the brush on the original; null hides it. */
+  /** Shows the outline of the brush on the original, and at the same place of the optimized mesh; null hides it. */
   markBrush(mark: BrushMark | null): void {
-    this.ring.show(mark);
+    for (const pane of Object.values(this.panes)) pane.ring.show(mark);
     this.isStale = true;
   }
 

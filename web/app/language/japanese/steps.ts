@@ -149,8 +149,8 @@ export const STEPS: MessageTable = {
   Radius: '半径',
   'In % of the diagonal ([ and ])': '対角線に対する % ([ と ])',
   'Soft edge': '縁のぼかし',
-  'Drag over the original. Shift erases, Esc ends.':
-    '元のメッシュの上をドラッグしてください。Shift で消去、Esc で終了します。',
+  'Drag over either mesh to paint the original. Shift erases, Esc ends.':
+    'どちらのメッシュの上をドラッグしても、元のメッシュにペイントします。Shift で消去、Esc で終了します。',
   '{count} kept': '{count} 頂点を優先',
   '{count} locked': '{count} 頂点をロック',
   'Clear the paint': 'ペイントをクリア',
@@ -233,8 +233,8 @@ export const STEPS: MessageTable = {
   'Original, carried by the optimized': '元 (最適化後で駆動)',
   'This browser has no WebGL2, so there is no picture; files, numbers and export work.':
     'このブラウザーは WebGL2 に対応していないため、表示できません。ファイル、数値、書き出しは使えます。',
-  'The mesh at rest. Drag over the original to paint it; Shift erases.':
-    '静止したメッシュ。元のメッシュをドラッグしてペイントします。Shift で消去します。',
+  'The mesh at rest. Drag over either mesh to paint the original; Shift erases.':
+    '静止したメッシュ。どちらのメッシュをドラッグしても、元のメッシュにペイントします。Shift で消去します。',
   'The mesh at rest. Click a vertex or drag over the surface to pin it; Shift unpins.':
     '静止したメッシュ。頂点をクリックするか表面をドラッグして固定します。Shift で解除します。',
   'Both meshes in motion. Drag a body to pull at it, drag beside it to turn the view, scroll to zoom.':

@@ -23,7 +23,9 @@ export function connectPicking(canvas: HTMLCanvasElement, viewport: Viewport): P
   return new PickTool(canvas, {
     tool: () => (isBrushing.value ? brush : isPicking.value ? pins : null),
     mesh: () => (isPicking.value || isBrushing.value ? (results.body.value?.mesh ?? null) : null),
-    rayAt: (x, y) => (viewport.paneAt(x) === 'original' ? viewport.rayAt(x, y) : null),
+    // Both meshes stand at the same place, so that a stroke over either paints the original; pins are of what is seen.
+    rayAt: (x, y, fromX) =>
+      isBrushing.value || viewport.paneAt(x) === 'original' ? viewport.rayAt(x, y, fromX) : null,
     isBroad: () => isBrushing.value,
     fail: (error) => complain(isMissingFile(error) ? error : new Error(describeFailure(error))),
   });

@@ -64,7 +64,7 @@ function BrushShape() {
           onInput={(softness) => (view.brush.value = { ...view.brush.value, softness })}
         />
       )}
-      <p class="hint">{say('Drag over the original. Shift erases, Esc ends.')}</p>
+      <p class="hint">{say('Drag over either mesh to paint the original. Shift erases, Esc ends.')}</p>
     </>
   );
 }

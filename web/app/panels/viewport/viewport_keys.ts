@@ -46,11 +46,10 @@ export function connectViewportKeys(canvas: HTMLCanvasElement, viewport: Viewpor
   canvas.addEventListener('focus', preview);
 }
 
-/** The middle of the part of the canvas that shows the original. */
+/** The middle of the picture, of two the left one. */
 function middle(canvas: HTMLCanvasElement, viewport: Viewport): { clientX: number; clientY: number } {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const at = (share: number): number => left + share * width;
-  const share =
-    viewport.paneAt(at(0.5)) === 'original' && viewport.paneAt(at(0.75)) === 'original' ? 0.5 : 0.25;
+  const share = viewport.paneAt(at(0.25)) === viewport.paneAt(at(0.75)) ? 0.5 : 0.25;
   return { clientX: at(share), clientY: top + height / 2 };
 }

@@ -110,7 +110,8 @@ export function ViewportView() {
 }
 
 function describeViewport(): string {
-  if (isBrushing.value) return say('The mesh at rest. Drag over the original to paint it; Shift erases.');
+  if (isBrushing.value)
+    return say('The mesh at rest. Drag over either mesh to paint the original; Shift erases.');
   if (isPicking.value)
     return say('The mesh at rest. Click a vertex or drag over the surface to pin it; Shift unpins.');
   if (view.step.value === 'test')
