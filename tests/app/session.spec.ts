@@ -41,6 +41,35 @@ test('a reload brings back the file, the settings, the paint and the slider', as
   await expect(page.getByLabel('Even triangles, exact')).toHaveValue('0.3');
 });
 
+test('what was done to a file comes back with it, whatever it is called, also in another tab', async ({
+  page,
+  context,
+}) => {
+  const notice = (name: string) => `What you did to ${name} before is here again.`;
+  await openPage(page);
+  await drop(page, sheet);
+  await expect(page.locator('.filename')).toHaveText('kept.obj');
+  await page.getByLabel('One unit of the file, exact').fill('0.01');
+  await page.keyboard.press('Enter');
+  await drop(page, writeScratch('other.obj', sheetObj(12)));
+  await expect(page.locator('.filename')).toHaveText('other.obj');
+  await expect(page.getByLabel('One unit of the file, exact')).toHaveValue('1');
+  await expect(page.getByRole('button', { name: 'Start anew' })).toHaveCount(0);
+  await drop(page, writeScratch('renamed.obj', sheetObj(16)));
+  await expect(page.getByText(notice('renamed.obj'))).toBeVisible();
+  await expect(page.getByLabel('One unit of the file, exact')).toHaveValue('0.01');
+  const other = await context.newPage();
+  await openPage(other);
+  await drop(other, sheet);
+  await expect(other.getByText(notice('kept.obj'))).toBeVisible();
+  await page.getByRole('button', { name: 'Start anew' }).click();
+  await expect(page.getByText(notice('renamed.obj'))).toHaveCount(0);
+  await expect(page.getByLabel('One unit of the file, exact')).toHaveValue('1');
+  await expect(other.getByLabel('One unit of the file, exact')).toHaveValue('0.01');
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await expect(page.getByLabel('One unit of the file, exact')).toHaveValue('0.01');
+});
+
 test('a button that has copied says so for a moment, and the last one alone', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await openPage(page);

@@ -15,6 +15,7 @@ import { STAGES } from '../../web/engine/stages/stages';
 const page = vi.hoisted(() => {
   // The state of the page asks for the colour scheme.
   vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} }));
+  vi.stubGlobal('addEventListener', () => {});
   interface Call {
     name: string;
     resolve(value: unknown): void;
@@ -46,6 +47,7 @@ vi.mock('../../web/app/state/running', () => ({
   replayer: { open: () => {} },
   whileBusy: (_what: string, make: () => Promise<unknown>) => make(),
 }));
+vi.mock('../../web/app/state/work/kept_work', () => ({ contentKey: () => Promise.resolve(null) }));
 vi.mock('../../web/app/state/saved_session', () => ({ saveFiles: () => {}, startSaving: () => {} }));
 vi.mock('../../web/app/state/replay', () => ({ isReplayed: { value: true }, startReplay: () => {} }));
 
@@ -239,7 +241,7 @@ it('a sentence on a refused text is not shown for another body, nor for another 
 it('a link for a body that cannot be used shows the first one that can', () =>
   withBodies([{ faces: 1 }, { faces: 1, health: null }], async () => {
     const asked = { settings: wants.settings.value, faces: null, own: new Map(), body: 1, file: null };
-    void openFiles([], asked);
+    void openFiles([], { asked });
     await answerUntil('pins');
     expect(wants.body.value).toBe(0);
   }));
@@ -286,7 +288,7 @@ describe('another model', () => {
   it('has what a link asks of it', async () => {
     await open();
     const settings = { ...defaultSettings(), ...ofUse };
-    void openFiles([], { settings, faces: null, own: new Map(), body: 0, file: null });
+    void openFiles([], { asked: { settings, faces: null, own: new Map(), body: 0, file: null } });
     await answerUntil('pins');
     expect(wants.settings.value).toEqual(settings);
   });

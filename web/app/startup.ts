@@ -30,7 +30,7 @@ export async function openAtStart(): Promise<void> {
 function bringBack(session: Session): Promise<void> {
   const stop = afterOpening(() => session.show());
   // Where the files cannot be opened, the view is not that of the next ones.
-  return openFiles(session.files, session.wanted).finally(stop);
+  return openFiles(session.files, { asked: session.wanted }).finally(stop);
 }
 
 /** Offers the work of the last tab that was closed, as long as nothing is open. */

@@ -1,8 +1,8 @@
 /** Opens files by dialog, drop or address, and downloads files. */
 
 import type { SourceFile } from '../../engine/document/open';
-import type { Wanted } from '../state/link';
 import { openFiles } from '../state/runner';
+import type { HowToOpen } from '../state/runner';
 import { openAll } from './open_all';
 import { complain } from '../state/running';
 import { say } from '../language/say';
@@ -103,12 +103,12 @@ async function filesBelow(entry: FileSystemEntry, folder: string): Promise<Named
 }
 
 /** Opens a file of the page's own origin; why it cannot be loaded is told in a notice. */
-export async function openAddress(address: string, name: string, wanted?: Wanted): Promise<void> {
+export async function openAddress(address: string, name: string, how?: HowToOpen): Promise<void> {
   try {
     const response = await fetch(address);
     if (!response.ok)
       throw new Error(say('{name} could not be loaded: build the samples with npm run build.', { name }));
-    await openFiles([{ name, bytes: new Uint8Array(await response.arrayBuffer()) }], wanted);
+    await openFiles([{ name, bytes: new Uint8Array(await response.arrayBuffer()) }], how);
   } catch (error) {
     complain(error);
   }

@@ -27,6 +27,6 @@ export async function loadSamples(): Promise<void> {
   }
 }
 
-/** `wanted`: of a link, in place of what the sample brings along. */
-export const openSample = ({ file }: Sample, wanted?: Wanted): Promise<void> =>
-  openAddress(`./samples/${file}`, file, wanted ?? wantedOfSample(file, wants.settings.value));
+/** `asked`: of a link, in place of what the sample brings along. */
+export const openSample = ({ file }: Sample, asked?: Wanted): Promise<void> =>
+  openAddress(`./samples/${file}`, file, { asked, fresh: wantedOfSample(file, wants.settings.value) });

@@ -15,11 +15,13 @@ import { startReplay } from './replay';
 import { client, complain, replayer, whileBusy } from './running';
 import { afterSample } from './samples/sample_settings';
 import { saveFiles, startSaving } from './saved_session';
-import { changeSettings, results, status, view, wants } from './store';
+import { results, status, view, wants } from './store';
 import type { Task } from './tasks/task';
 import { startResting, tasks } from './tasks/tasks';
 import { twin } from './twin';
 import { forgetUndo, startUndo } from './undo';
+import { beginWork, endWork, startKeepingWork, workBefore } from './work/file_work';
+import { contentKey } from './work/kept_work';
 
 /** The key that the result of each task was made from, or with which it has failed. */
 const done = new Map<Task, string>();
@@ -34,15 +36,20 @@ let opening: Promise<void> = Promise.resolve();
 /** the files that are being opened */
 let opened: { isCancelled: boolean } | null = null;
 
-/**
- * Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. `asked`:
- * what a link or an earlier session asks of them.
- */
-export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
+/** What is wanted of files that are opened. */
+export interface HowToOpen {
+  /** what a link or an earlier session asks of them */
+  asked?: Wanted;
+  /** what they begin with where nothing is asked and nothing was done to them before; left out: what any other model does */
+  fresh?: Wanted;
+}
+
+/** Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. */
+export function openFiles(files: SourceFile[], how: HowToOpen = {}): Promise<void> {
   if (running) client.cancel();
   replayer.open();
   opening = opening.then(() =>
-    whileBusy('Opening', () => openNow(files, asked)).catch((error: unknown) => {
+    whileBusy('Opening', () => openNow(files, how)).catch((error: unknown) => {
       if (!isCancel(error)) complain(error);
     }),
   );
@@ -51,25 +58,40 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
 
 const isCancel = (error: unknown): boolean => error instanceof Error && error.message === CANCELLED;
 
-async function openNow(files: SourceFile[], asked?: Wanted): Promise<void> {
+async function openNow(files: SourceFile[], how: HowToOpen): Promise<void> {
   const own = (opened = { isCancelled: false });
   try {
     await call.catch(() => null);
     if (own.isCancelled) return;
-    const file = await client.open(files);
+    const [file, key] = await Promise.all([client.open(files), contentKey(files)]);
+    endWork();
     // The models of a queue have one setting.
     const startsAnew = !isLinedUp(files);
-    take(file, asked ?? takeAwaited(file.name), startsAnew);
+    const asked = how.asked ?? takeAwaited(file.name);
+    const fresh = how.fresh ?? freshWanted(startsAnew);
+    const before = asked ? null : workBefore(key, fresh, !startsAnew);
+    take(file, asked ?? before ?? fresh, startsAnew);
+    beginWork(key, { fresh, name: file.name, isKept: before !== null });
     void saveFiles(files);
   } finally {
     opened = null;
   }
 }
 
-/** Shows a file that the worker has opened. `startsAnew`: without what the last model is for, where nothing is wanted of this one. */
-function take(file: OpenedFile, wanted: Wanted | undefined, startsAnew: boolean): void {
+/** What is wanted of a model by itself. `startsAnew`: without what the last one is for. */
+function freshWanted(startsAnew: boolean): Wanted {
+  const { value: last } = wants.settings;
+  const settings = {
+    ...last,
+    ...afterSample(results.file.value?.name, last),
+    ...(startsAnew ? modelDefaults() : fileDefaults()),
+  };
+  return { settings, faces: null, own: new Map(), body: 0, file: null };
+}
+
+/** Shows a file that the worker has opened. */
+function take(file: OpenedFile, wanted: Wanted, startsAnew: boolean): void {
   done.clear();
-  const before = afterSample(results.file.value?.name, wants.settings.value);
   batch(() => {
     stopped.value = new Map();
     for (const task of tasks) task.result.value = null;
@@ -77,14 +99,13 @@ function take(file: OpenedFile, wanted: Wanted | undefined, startsAnew: boolean)
     results.file.value = file;
     results.opened.value += 1;
     wants.body.value = bodyToShow(file, wanted);
-    wants.faces.value = wanted?.faces ?? null;
-    wants.own.value = fittingOwnFaces(wanted?.own, file.bodies);
+    wants.faces.value = wanted.faces;
+    wants.own.value = fittingOwnFaces(wanted.own, file.bodies);
     wants.exportOpen.value = false;
     twin.wantsGeneric.value = false;
     view.hidden.value = new Set();
     view.animated.value = false;
-    if (wanted) wants.settings.value = wanted.settings;
-    else changeSettings({ ...before, ...(startsAnew ? modelDefaults() : fileDefaults()) });
+    wants.settings.value = wanted.settings;
     if (startsAnew) twin.wantsTuned.value = twin.isSolverUnknown.value = false;
     status.refusedPins.value = refusedLock.value = null;
     view.picking.value = false;
@@ -95,8 +116,8 @@ function take(file: OpenedFile, wanted: Wanted | undefined, startsAnew: boolean)
 }
 
 /** The body that is asked for, where the file has it and it can be used. */
-const bodyToShow = ({ bodies, first }: OpenedFile, wanted: Wanted | undefined): number =>
-  wanted && isUsable(bodies, wanted.body) ? wanted.body : first;
+const bodyToShow = ({ bodies, first }: OpenedFile, { body }: Wanted): number =>
+  isUsable(bodies, body) ? body : first;
 
 const isUsable = (bodies: OpenedBody[], index: number): boolean =>
   index < bodies.length && bodies[index].health !== null;
@@ -138,6 +159,7 @@ export function startRunner(): void {
   startReplay();
   startResting();
   void startSaving();
+  startKeepingWork();
   void client
     .ready()
     .then(() => (status.threads.value = client.threads))

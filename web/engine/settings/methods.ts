@@ -48,10 +48,25 @@ export const fileDefaults = (): Partial<Settings> => defaultsWhere(({ isOfFile }
 export const modelDefaults = (): Partial<Settings> =>
   defaultsWhere(({ isOfFile, isOfUse }) => isOfFile ?? isOfUse);
 
-function defaultsWhere(isMeant: (option: OptionSpec) => true | undefined): Partial<Settings> {
-  const defaults = defaultSettings();
+const defaultsWhere = (isMeant: IsMeant): Partial<Settings> => settingsWhere(isMeant, defaultSettings());
+
+/** Settings that name parts of one file, and `others`. */
+export const fileSettings = (ofFile: Settings, others: Settings): Settings => ({
+  ...others,
+  ...settingsWhere(({ isOfFile }) => isOfFile, ofFile),
+});
+
+/** Settings of a file with those of a person or machine from `person`; null: with their defaults. */
+export const withPerson = (ofFile: Settings, person: Settings | null): Settings => ({
+  ...ofFile,
+  ...settingsWhere(({ isOfPerson, isOfMachine }) => isOfPerson ?? isOfMachine, person ?? defaultSettings()),
+});
+
+type IsMeant = (option: OptionSpec) => true | undefined;
+
+function settingsWhere(isMeant: IsMeant, settings: Settings): Partial<Settings> {
   const names = SETTING_NAMES.filter((name) => isMeant(OPTIONS[name]));
-  return Object.fromEntries(names.map((name) => [name, defaults[name]]));
+  return Object.fromEntries(names.map((name) => [name, settings[name]]));
 }
 
 /** How results are fitted: as the settings say, where the method can. */

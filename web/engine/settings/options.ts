@@ -8,6 +8,7 @@ export type { Note, Sentence } from './errors';
 export {
   defaultSettings,
   fileDefaults,
+  fileSettings,
   fitOf,
   methodChange,
   methodOf,
@@ -15,6 +16,7 @@ export {
   readsSetting,
   resolveModel,
   resolveModes,
+  withPerson,
 } from './methods';
 export { OPTIONS, SETTING_NAMES } from './table';
 export type { SettingName, Settings } from './table';

@@ -603,6 +603,7 @@ const ROWS = {
     default: 'auto',
     help: 'The format of OUT; auto goes by its ending: .glb, .gltf (with .bin and images beside it), .obj (with .mtl and images), .ply, or one of these with .zip after it; .zip alone holds the format of IN.',
     group: 'output',
+    isOfPerson: true,
     choices: FORMAT_CHOICES,
   },
   /** how the result stores its vertices; see write/compression.ts */
@@ -613,6 +614,7 @@ const ROWS = {
     default: 'like-input',
     help: 'How GLB and glTF store vertices: like-input (as IN does), none, quantized (KHR_mesh_quantization), meshopt (EXT_meshopt_compression) or draco (KHR_draco_mesh_compression). The last three round what the input has as floats.',
     group: 'output',
+    isOfPerson: true,
     choices: COMPRESSIONS,
   },
   lodStyle: {
@@ -622,6 +624,7 @@ const ROWS = {
     default: 'files',
     help: 'Where the levels of --lods go: files (OUT_lod1 and so on), msft (into OUT by MSFT_lod), nodes (into OUT as nodes NAME_LOD0, NAME_LOD1 and so on, all of them shown where a viewer does not know the names).',
     group: 'output',
+    isOfPerson: true,
     choices: LEVEL_STYLES,
   },
   /** names of extensions that are left out where they cannot be carried; see document/extensions */

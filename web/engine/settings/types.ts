@@ -28,6 +28,8 @@ interface Described {
   isOfFile?: true;
   /** It says how one model is read or what it is for, so the page starts with the default when another one is opened. */
   isOfUse?: true;
+  /** It says how a person likes results written, so the page keeps it whatever is opened. */
+  isOfPerson?: true;
   /** It describes the machine and changes no result, so links and printed command lines leave it out. */
   isOfMachine?: true;
 }

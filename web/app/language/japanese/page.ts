@@ -166,6 +166,8 @@ export const PAGE: MessageTable = {
   'Your last work, {name}, is kept on this computer.':
     '前回の作業 ({name}) がこのコンピューターに保存されています。',
   'Open it': '開く',
+  'What you did to {name} before is here again.': '{name} への前回の編集内容を復元しました。',
+  'Start anew': '最初からやり直す',
   'The link has an error.': 'リンクに誤りがあります。',
   'This link is for {file}: open that file.': 'このリンクは {file} 用です。そのファイルを開いてください。',
   'A new version is ready. Your work comes back after a reload.':
