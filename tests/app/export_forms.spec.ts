@@ -99,6 +99,15 @@ test('levels are added, seen where they change, and written as nodes of one file
   await page.getByLabel('Further levels').press('Enter');
   await expect(page.getByRole('alert').filter({ hasText: 'is no level' })).toHaveCount(0);
   await expect(page.getByLabel('Further levels')).toHaveValue('30 %, 0.15');
+  await expect(button(page, 'Save all as .zip')).toBeEnabled();
+  await expect(page.getByText('a further level has')).toHaveCount(0);
+  await page.getByLabel('Further levels').fill('70 %, 0.15');
+  await page.getByLabel('Further levels').press('Enter');
+  await expect(
+    page.getByText(/_lod1.glb: a further level has \d+ faces, and the result \d+: /),
+  ).toBeVisible();
+  await page.getByLabel('Further levels').fill('30 %, 0.15');
+  await page.getByLabel('Further levels').press('Enter');
   await page.getByLabel('Levels go into').selectOption('nodes');
   await page.getByLabel('See where they change').check();
   const rows = page.getByRole('list', { name: 'Where levels change' }).getByRole('listitem');

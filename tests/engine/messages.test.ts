@@ -17,6 +17,7 @@ import { STANDING_ENDS } from '../../web/engine/motion/scene_rotation';
 import { OPTIONS } from '../../web/engine/settings/options';
 import type { SettingName } from '../../web/engine/settings/options';
 import { PRESETS, PRESET_NAMES, settingsOfPreset } from '../../web/engine/settings/presets';
+import { describeFinerLevels } from '../../web/engine/report/level_words';
 import { METHOD_TITLES, budgetTable } from '../../web/engine/stages/equal_budget/budget_table';
 import { SOLVER_NAMES, profileOf } from '../../web/engine/solvers/profiles';
 import { collectMessages } from './support/messages';
@@ -193,6 +194,16 @@ test('a sentence of the engine is known by its form', () => {
   );
   expect(sentence('Nothing is known of this.')).toBe('Nothing is known of this.');
   expect(sentence('convert it to GLB')).toBe('convert it to GLB');
+});
+
+test('that a further level is finer than the result is known by its form', () => {
+  const levels = [90, 1200].map((faces, i) => ({ file: `a_lod${i}.glb`, faces }));
+  const told = describeFinerLevels(1000, levels, '“Further levels”');
+  expect(told).toHaveLength(1);
+  shown.value = { language: 'ja', table: JAPANESE };
+  expect(sentence(`${told[0]}.`)).toMatch(
+    /^a_lod1.glb: 追加の LOD は 1,200 面で、結果の 1,000 面より.*「追加の LOD」/,
+  );
 });
 
 test('what the reader says of a file is known by its form', () => {

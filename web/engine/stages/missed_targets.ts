@@ -3,6 +3,7 @@
 import type { PreparedBody } from '../body/prepared_body';
 import { sum } from '../core/mesh';
 import { besideLimit, counted, grouped } from '../core/words';
+import { describeFinerLevels } from '../report/level_words';
 import { worstSurface } from '../report/result_report';
 import { describeRefused, isBlockedBySeams, stopReport } from '../report/stop_report';
 import type { StoppedBody } from '../report/stop_report';
@@ -89,24 +90,13 @@ export function missedTargets(
     unasked: [
       ...(isAsked ? [] : [...(hasCount ? [ofFile] : []), guard]),
       ...(named.has('lods') ? [] : ofLevels),
-      ...describeFinerLevels(output.stopped(), levels, nameOf),
+      ...describeFinerLevels(
+        facesOf(output.stopped()),
+        levels.map(({ file, bodies }) => ({ file, faces: facesOf(bodies) })),
+        nameOf('lods'),
+      ),
     ].filter(isPresent),
   };
-}
-
-/** A sentence for each further level that has more faces than the result itself. */
-function describeFinerLevels(
-  first: StoppedBody[],
-  levels: StoppedLevel[],
-  nameOf: TargetWords['nameOf'],
-): string[] {
-  const faces = facesOf(first);
-  return levels
-    .filter(({ bodies }) => facesOf(bodies) > faces)
-    .map(
-      ({ bodies, file }) =>
-        `${file}: a further level has ${grouped(facesOf(bodies))} faces, and the result ${grouped(faces)}: give smaller shares of the original to ${nameOf('lods')}`,
-    );
 }
 
 /** As they are in the file. */

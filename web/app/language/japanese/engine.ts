@@ -66,6 +66,9 @@ export const ENGINE: MessageTable = {
     'サブステップ {count} では、元のメッシュは {finer} のときと {moved} ずれています (判定対象のずれは {judged})。{take}。',
   'At {count} substeps the original is still {moved} away from itself at {finer}, beside the {judged} that are judged: {take}.':
     'サブステップ {count} では、元のメッシュは {finer} のときと {moved} ずれています (判定対象のずれは {judged})。{take}。',
+  // web/engine/report/level_words.ts
+  '{file}: a further level has {count} faces, and the result {number}: give smaller shares of the original to “{name}”.':
+    '{file}: 追加の LOD は {count} 面で、結果の {number} 面より多くなっています。「{name}」には元のメッシュに対するより小さい割合を指定してください。',
   // web/engine/report/solver_report.ts
   'In {solver} the first ten frequencies are off {tuned} tuned, {untouched} with your own numbers.':
     '{solver} での最初の 10 個の周波数の誤差は、調整後 {tuned}、元の数値のままでは {untouched} です。',

@@ -1,6 +1,7 @@
 /** Further levels of detail: which shares of the faces they have, where they go, and a look at them. */
 
 import { useId, useState } from 'preact/hooks';
+import { describeFinerLevels } from '../../../engine/report/level_words';
 import type { LevelStyle } from '../../../engine/core/output_words';
 import { OPTIONS } from '../../../engine/settings/options';
 import { exportFormatOf } from '../../worker/export_form';
@@ -12,7 +13,7 @@ import { RefusedText } from '../../controls/refused_text';
 import { firstNoLevel, nextLevel, readLevels } from './level_chain';
 import { LevelPreview } from './level_preview';
 import { describeVerdict } from './verdict';
-import { say } from '../../language/say';
+import { say, sentence } from '../../language/say';
 
 const STYLES: Record<LevelStyle, string> = {
   files: 'files of their own',
@@ -33,6 +34,7 @@ export function LevelsSection({ exported }: { exported: ExportResult | null }) {
   return (
     <Section title="Levels of detail">
       <LevelsField />
+      {exported && <FinerLevels {...exported.report} />}
       <LevelButtons />
       {lods.length > 0 && isGltf && (
         <>
@@ -101,6 +103,16 @@ const describeNoLevel = (word: string, faces: number): string =>
     word,
     faces: count(faces),
   });
+
+/** Why levels make no chain: they have more faces than the result before them. */
+function FinerLevels({ output, levels = [] }: ExportResult['report']) {
+  const written = levels.map(({ file, output: { faces } }) => ({ file, faces }));
+  return describeFinerLevels(output?.faces ?? 0, written, `“${OPTIONS.lods.label}”`).map((text) => (
+    <p key={text} class="hint warning">
+      {sentence(`${text}.`)}
+    </p>
+  ));
+}
 
 function LevelButtons() {
   const { lods } = wants.settings.value;
