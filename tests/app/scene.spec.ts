@@ -1,5 +1,6 @@
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
+import { sheetObj } from './meshes';
 import { stillCapture, strongPixels } from './pictures';
 import { drop, goTo, openPage, saveGlb, writeScratch } from './page';
 import { standingTubes } from './scenes';
@@ -49,6 +50,33 @@ test('the stage shows the file in its materials, standing as its scene stands it
   await expect(page.getByText('The top turns by 45 degrees. Both ends held.')).toBeVisible();
   await page.getByLabel('Scenario', { exact: true }).selectOption({ label: 'Sway' });
   await expect(page.getByText('The top is struck. The bottom held.')).toBeVisible();
+});
+
+test('faces are counted alike everywhere, without degenerate ones, which the health list tells', async ({
+  page,
+}) => {
+  const first = `o one\n${sheetObj(16)}f 1 1 2\nf 2 3 3\n`;
+  const second = sheetObj(16)
+    .replaceAll(/^v /gm, 'v 2')
+    .replaceAll(
+      /^f (\d+) (\d+) (\d+)/gm,
+      (_, ...abc: string[]) =>
+        `f ${abc
+          .slice(0, 3)
+          .map((v) => Number(v) + 17 * 17)
+          .join(' ')}`,
+    );
+  await drop(page, writeScratch('degenerate.obj', `${first}o two\n${second}f 290 290 291\n`));
+  await expect(page.locator('.left .filename').first()).toHaveText('degenerate.obj');
+  const rows = page.getByRole('list', { name: 'Meshes' }).getByRole('listitem');
+  await expect(rows).toContainText([/one512/, /two512/]);
+  await expect(page.locator('.left .facts').last()).toContainText('Faces512');
+  await expect(page.getByText('2 faces with a repeated vertex set aside')).toBeVisible();
+  await expect(page.locator('.viewport').getByText('1,024 faces')).toBeVisible();
+  await goTo(page, 'Reduce');
+  const slider = page.getByRole('slider', { name: 'Kept faces of the scene' });
+  await expect(slider).toHaveAttribute('aria-valuetext', '512 of 1,024 faces');
+  await expect(page.locator('.viewport').getByText('1,024 faces')).toBeVisible();
 });
 
 test('eyes hide meshes, and the stage shows the chosen one alone on request', async ({ page }) => {

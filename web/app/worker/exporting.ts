@@ -31,7 +31,6 @@ export async function exportAll(
   const stopwatch = startStopwatch();
   const output = new FileOutput(file, { ...request, binding });
   output.compute();
-  const results = output.results();
   const files = await output.files(name);
   const { bytes } = files[0];
   const validation = await validateFiles(files);
@@ -44,7 +43,7 @@ export async function exportAll(
     export: exportTime,
     ...(levels.length > 0 ? { levels: levelsTime } : {}),
   };
-  const faces = sum(results.map(({ mesh }) => faceCount(mesh)));
+  const { after: faces } = output.writtenFaces();
   const text = binding ? output.binding() : null;
   const tuned = settings.solver === 'none' ? null : output.settings();
   const shown = { bytes, files, validation, report, faces, targetFaces: asked };
@@ -106,7 +105,7 @@ export async function drawLevels(file: FileRun, request: FileRequest): Promise<D
   output.compute();
   const bytes = await output.glb();
   const { hausdorff } = worstSurface(output.values(STAGES.measured).map(({ distance }) => distance));
-  const faces = sum(output.results().map(({ mesh }) => faceCount(mesh)));
+  const { after: faces } = output.writtenFaces();
   const levels: DrawnLevel[] = [{ bytes, faces, deviation: hausdorff }];
   for (let i = 0; i < output.levelCount; ++i) {
     const { files, faces: own, report } = await output.level(i, 'level.glb');

@@ -193,7 +193,7 @@ const api: WorkerApi = {
       const bytes = await output.glb();
       const faces = openedFile().runs.map(() => 0);
       const { usable } = openedFile();
-      output.results().forEach(({ mesh }, n) => (faces[usable[n].i] = mesh.triangles.length / 3));
+      output.writtenFacesOfBodies().forEach((written, n) => (faces[usable[n].i] = written));
       return transfer({ bytes, faces, key: resultFileKey(settings, kept) }, [bytes.buffer]);
     }),
   drawnLevels: (settings, kept) =>

@@ -41,6 +41,7 @@ const WORK_OF_LEVEL = 0.2;
 export interface LevelOutput {
   /** none where the level is in the file of the first */
   files: SourceFile[];
+  /** as they are written */
   faces: number;
   bodies: StoppedBody[];
   report: Omit<LevelReport, 'file'>;
@@ -121,7 +122,12 @@ export class FileOutput {
       surface: worstSurface(levels.map(({ measured }) => measured.distance)),
       stop: stopReport(bodies),
     };
-    return { files, faces: sum(bodies.map(({ faces }) => faces)), bodies, report };
+    return {
+      files,
+      faces: sum(bodies.map(({ faces, duplicates = 0 }) => faces + duplicates)),
+      bodies,
+      report,
+    };
   }
 
   /** The text of the binding file. */
@@ -171,12 +177,14 @@ export class FileOutput {
 
   /** The faces of all bodies that take part, with all their layers, as they came and as they are written. */
   writtenFaces(): { before: number; after: number } {
-    const results = this.values(STAGES.fitted);
     const layers = this.prepared().map((prepared) => prepared.layers);
-    return {
-      before: sum(layers.map(allFaces)),
-      after: sum(results.map(({ result }, i) => layeredFaces(layers[i], result.inputOfTriangle))),
-    };
+    return { before: sum(layers.map(allFaces)), after: sum(this.writtenFacesOfBodies()) };
+  }
+
+  /** The faces of every body that takes part, with all their layers, as they are written. */
+  writtenFacesOfBodies(): number[] {
+    const prepared = this.prepared();
+    return this.results().map(({ inputOfTriangle }, i) => layeredFaces(prepared[i].layers, inputOfTriangle));
   }
 
   /** Why each body has as many faces as it has. */
