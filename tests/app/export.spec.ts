@@ -31,7 +31,7 @@ test('that nothing is lost is said once the file is written and checked', async 
   await openPage(page);
   await drop(page, sheet);
   await expect(page.locator('.filename')).toHaveText('sheet-out.obj');
-  // Collects what stands in every frame in which the file is still to be written.
+  // Collects what stands after every change of the page while the file is still to be written.
   await page.evaluate(() => {
     const early: string[] = [];
     Object.assign(window, { early });
@@ -39,9 +39,12 @@ test('that nothing is lost is said once the file is written and checked', async 
       const panel = document.querySelector<HTMLElement>('.export');
       const isReady = panel?.querySelector('.verdict');
       if (panel && !isReady) early.push(panel.innerText);
-      requestAnimationFrame(look);
     };
-    look();
+    new MutationObserver(look).observe(document.body, {
+      childList: true,
+      subtree: true,
+      characterData: true,
+    });
   });
   await button(page, 'Export').click();
   await expect(page.getByText('Nothing in the file is lost.')).toBeVisible();
