@@ -45,7 +45,7 @@ export const samples: readonly Sample[] = [
   {
     id: 'tower',
     name: 'Lattice tower',
-    about: 'Iron struts, arches and platforms, with hundreds of openings.',
+    about: 'Struts, arches and platforms, with hundreds of openings.',
     colour: [0.17, 0.105, 0.07],
     roughness: 0.5,
     isOpen: false,

@@ -22,6 +22,13 @@ test('the cloth opens as cotton that hangs by its corners, with what else was se
   expect(wantedOfSample('bar.glb', own)).toBeUndefined();
 });
 
+test('the tower sways as a whole, with what else was set', () => {
+  const { settings } = wantedOfSample('tower.glb', { ...own, pins: '' })!;
+  checkSettings(settings);
+  expect(settings).toMatchObject({ scenario: 'sway', young: own.young, pins: '', qualityWeight: 0.3 });
+  expect(afterSample('tower.glb', settings)).toEqual({ scenario: defaultSettings().scenario });
+});
+
 test('the next model starts without what the sample has brought, unless it was changed', () => {
   const { settings } = wantedOfSample('cloth.glb', own)!;
   const { young, thickness, scenario } = defaultSettings();

@@ -58,8 +58,8 @@ export const PAGE: MessageTable = {
   "The paper's bar of 8 x 8 x 24 cells, the simplest thing that bends.":
     '論文にある 8 × 8 × 24 セルの棒。曲がるものの中で最も単純な形です。',
   'A square of cotton at rest, hung by two corners.': '2 つの角で吊るした、静止している正方形の綿布です。',
-  'Iron struts, arches and platforms, with hundreds of openings.':
-    '鉄の支柱、アーチ、足場からなり、数百の開口部があります。',
+  'Struts, arches and platforms, with hundreds of openings.':
+    '支柱、アーチ、足場からなり、数百の開口部があります。',
   'A smooth sculpture of limbs that melt together around its holes.':
     '穴のまわりで枝が滑らかに溶け合う彫刻です。',
   Hint: 'ヒント',

@@ -10,6 +10,8 @@ const CORNERS = 'vertices:0,1,33,31,32,65';
 
 const BROUGHT: Readonly<Record<string, Partial<Settings>>> = {
   'cloth.glb': { ...MATERIALS.cotton, pins: CORNERS, scenario: 'sway' },
+  // A twist turns its spire alone.
+  'tower.glb': { scenario: 'sway' },
 };
 
 /** What is wanted of a sample that brings settings along, where `settings` are those before it; undefined for others. */
