@@ -3,10 +3,11 @@
 import * as THREE from 'three';
 
 const SIZE = 64;
+// Bright enough for a dark ground, dark enough for a light one.
 const AXES = [
-  { letter: 'X', colour: '#d64545', way: new THREE.Vector3(1, 0, 0) },
-  { letter: 'Y', colour: '#3d9a50', way: new THREE.Vector3(0, 1, 0) },
-  { letter: 'Z', colour: '#3f74d1', way: new THREE.Vector3(0, 0, 1) },
+  { letter: 'X', colour: '#e05252', way: new THREE.Vector3(1, 0, 0) },
+  { letter: 'Y', colour: '#35a352', way: new THREE.Vector3(0, 1, 0) },
+  { letter: 'Z', colour: '#4c84e6', way: new THREE.Vector3(0, 0, 1) },
 ];
 
 export class AxesMark {
@@ -18,10 +19,14 @@ export class AxesMark {
       const material = new THREE.LineBasicMaterial({ color: colour, toneMapped: false });
       const geometry = new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), way]);
       const label = new THREE.Sprite(
-        new THREE.SpriteMaterial({ map: letterTexture(letter, colour), toneMapped: false }),
+        new THREE.SpriteMaterial({
+          map: letterTexture(letter, colour),
+          premultipliedAlpha: true,
+          toneMapped: false,
+        }),
       );
-      label.position.copy(way).multiplyScalar(1.22);
-      label.scale.setScalar(0.55);
+      label.position.copy(way).multiplyScalar(1.24);
+      label.scale.setScalar(0.72);
       this.scene.add(new THREE.Line(geometry, material), label);
     }
   }
@@ -50,5 +55,7 @@ function letterTexture(letter: string, colour: string): THREE.CanvasTexture {
   }
   const texture = new THREE.CanvasTexture(canvas);
   texture.colorSpace = THREE.SRGBColorSpace;
+  // Otherwise the edges of letters are mixed with the black around them.
+  texture.premultiplyAlpha = true;
   return texture;
 }

@@ -10,6 +10,7 @@ import type { DrawnArrays } from '../drawn_arrays';
 import { isPreparedAtOnce, prepareExactly } from '../prepared_arrays';
 import { surfaceMaterial } from '../surface_material';
 import { isLarge } from '../twin_surface';
+import { frameSwing } from './frame_swing';
 
 export const THUMBNAIL = { width: 148, height: 104 };
 /** Larger meshes stand still, so that the gallery never slows down the page. */
@@ -17,8 +18,6 @@ const MOST_MOVING_FACES = 40000;
 const FRAME_MILLISECONDS = 50;
 /** Of the radius: large enough that modes can be told apart at this size. */
 const AMPLITUDE = 0.32;
-/** Of the eye, in radii. */
-const DISTANCE = 4.2;
 
 type Attribute = THREE.BufferAttribute | THREE.InterleavedBufferAttribute;
 
@@ -78,6 +77,7 @@ export class Thumbnails {
       });
   }
 
+  /** All modes are shown at one size, so large that none swings out of its picture. */
   private put({ mesh, modes, canvases }: ShownGallery, drawn: DrawnArrays, rotation: THREE.Quaternion): void {
     this.forgetPictures();
     const geometry = (this.body.geometry = geometryFrom(drawn, mesh));
@@ -86,16 +86,13 @@ export class Thumbnails {
     this.body.material.uniforms.hasField.value = true;
     const sphere = geometry.boundingSphere!;
     this.amplitude = AMPLITUDE * sphere.radius;
-    const eye = new THREE.Vector3(0.75, 0.42, 1)
-      .normalize()
-      .multiplyScalar(DISTANCE * sphere.radius)
-      .applyQuaternion(rotation);
-    this.camera.position.copy(sphere.center).add(eye);
-    this.camera.near = sphere.radius / 50;
-    this.camera.far = sphere.radius * 50;
     this.camera.up.set(0, 1, 0).applyQuaternion(rotation);
-    this.camera.lookAt(sphere.center);
-    this.camera.updateProjectionMatrix();
+    const swing = {
+      positions: mesh.positions,
+      shapes: modes.map((mode) => mode.shape),
+      amplitude: this.amplitude,
+    };
+    frameSwing(this.camera, sphere, new THREE.Vector3(0.75, 0.42, 1).applyQuaternion(rotation), swing);
     if (this.faces > MOST_MOVING_FACES) return void this.drawOnce(mesh, modes, canvases);
     this.pictures = modes.map((mode, i) => ({ canvas: canvases[i], ...this.dress(mesh, mode) }));
     this.draw(0);
