@@ -25,11 +25,11 @@ export function Busy() {
   );
 }
 
-/** "24 %, 40 s left" for the bodies of a file together, otherwise the phase and how far it is. */
+/** "24 %, 40 s left" for the bodies of a file together, otherwise the phase, too: last, where a narrow place cuts it. */
 function describeProgress(progress: CallProgress | null, seconds: number | null): string {
   const left = describeLeft(seconds);
   const share = shareDone(progress);
   if (!progress || share === null) return '';
-  const phase = progress.share === undefined ? `${say(progress.phase)} ` : '';
-  return `${phase}${Math.floor(100 * share)}\u00a0%${left}`;
+  const phase = progress.share === undefined ? ` · ${say(progress.phase)}` : '';
+  return `${Math.floor(100 * share)}\u00a0%${left}${phase}`;
 }
