@@ -83,6 +83,25 @@ test('on a phone no label of a mesh lies under the choice of the view', async ({
   await context.close();
 });
 
+test('on a phone the picture has room in every step, and the marks of the slider are whole', async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openPage(page);
+  for (const step of ['Motion', 'Reduce', 'Test'] as const) {
+    await goTo(page, step);
+    await expect(page.getByText('Finding modes')).toBeHidden();
+    await expect(async () => {
+      expect((await page.locator('.viewport canvas').boundingBox())!.height).toBeGreaterThan(120);
+    }).toPass();
+    if (step !== 'Reduce') continue;
+    // The only mark of the bar is at the left end.
+    const mark = (await page.getByText('deviation 0.1 %').boundingBox())!;
+    expect(mark.x).toBeGreaterThan(8);
+  }
+});
+
 /** The words of read-outs that are cut or lie under the box of what is running, and by how much the box moves what is above it. */
 const hiddenByBusy = (page: Page): Promise<(string | number | null)[]> =>
   page.evaluate(() => {

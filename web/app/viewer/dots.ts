@@ -33,7 +33,12 @@ export interface DotLook {
   rim: string;
 }
 
+/** In lower pictures dots are smaller, as they would hide the body. CSS pixels. */
+const FULL_HEIGHT = 300;
+const SMALLEST = 0.5;
+
 export class Dots {
+  private scale = 1;
   readonly points: Points<BufferGeometry, ShaderMaterial>;
 
   constructor(private pixelRatio: number) {
@@ -70,8 +75,16 @@ export class Dots {
     this.pixelRatio = pixelRatio;
     const { geometry, material } = this.points;
     const [size, rimWidth] = inPixels(geometry.getAttribute('position')?.count ?? 0);
-    material.uniforms.size.value = pixelRatio * size;
-    material.uniforms.rimWidth.value = pixelRatio * rimWidth;
+    material.uniforms.size.value = pixelRatio * this.scale * size;
+    material.uniforms.rimWidth.value = pixelRatio * this.scale * rimWidth;
+  }
+
+  /** `height` of the picture, in CSS pixels. */
+  fit(height: number): void {
+    const scale = Math.min(1, Math.max(SMALLEST, height / FULL_HEIGHT));
+    if (scale === this.scale) return;
+    this.scale = scale;
+    this.setPixelRatio(this.pixelRatio);
   }
 
   swing(amplitude: number): void {

@@ -13,6 +13,7 @@ export function drawPane(
 ): void {
   renderer.setViewport(...picture);
   renderer.setScissor(...visible);
+  pane.dots.fit(picture[3]);
   // The body below does not hide an overlay.
   if (isOverlay) {
     renderer.clearDepth();

@@ -61,6 +61,13 @@ const LABEL_WIDTH = { wide: 0.045, narrow: 0.1 };
 /** The first label has a word more. */
 const FIRST_LABEL = 1.6;
 
+/** `position` on the slider, 0..1; `share` of it that the label has to itself. */
+function classOf(position: number, share: number): string {
+  const crowded = share > LABEL_WIDTH.narrow ? '' : ' crowded';
+  if (position < LABEL_WIDTH.narrow) return `tick at-start${crowded}`;
+  return `tick${position > 1 - LABEL_WIDTH.narrow ? ' at-end' : ''}${crowded}`;
+}
+
 /** Marks where the deviation crosses 0.1, 0.5 and 1 %. A click sets that number of faces. */
 function Marks() {
   const history = results.history.value;
@@ -82,7 +89,7 @@ function Marks() {
           <button
             key={deviation}
             type="button"
-            class={share > LABEL_WIDTH.narrow ? 'tick' : 'tick crowded'}
+            class={classOf(positionOf(faces), share)}
             style={{ left: `calc(8px + (100% - 16px) * ${positionOf(faces)})` }}
             title={meaning}
             aria-label={meaning}

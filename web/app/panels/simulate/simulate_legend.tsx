@@ -19,7 +19,7 @@ const COLOURS = [
 export function SimulateLegend() {
   const isHeat = twin.heat.value;
   return (
-    <div class="legend">
+    <div class={isHeat ? 'legend' : 'legend short'}>
       <Choice
         label="Colour by"
         options={COLOURS}
