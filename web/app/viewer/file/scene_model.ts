@@ -5,6 +5,9 @@ import type { GLTFReference } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { spreadPoints, spreadStep } from '../spread_points';
 import { checkerTexture, matcapTexture } from '../look_textures';
 import { isBlankMaterial } from './blank_material';
+import { shadeFolds } from './fold_shading';
+
+shadeFolds();
 
 export type SceneLookName = 'textured' | 'matcap' | 'clay' | 'checker';
 
