@@ -158,7 +158,9 @@ describe('glTF', () => {
       return (await openModel([await glbFile(document)])).notes;
     };
     expect(await notesAt(0)).toEqual([]);
-    expect(await notesAt(0.5)).toEqual(['default weights of morph targets: the rest pose is used']);
+    expect(await notesAt(0.5)).toEqual([
+      'default weights of morph targets: what is measured and moved has weights of 0',
+    ]);
   });
 
   it('names the companion files that are missing', async () => {

@@ -209,8 +209,8 @@ test('that a further level is finer than the result is known by its form', () =>
 test('what the reader says of a file is known by its form', () => {
   shown.value = { language: 'ja', table: JAPANESE };
   expect(sentence('1 animation: the rest pose is used')).toBe('アニメーション 1: 静止時の姿勢を使用');
-  expect(sentence('default weights of morph targets: the rest pose is used')).toBe(
-    'モーフターゲットの初期の重み: 静止時の姿勢を使用',
+  expect(sentence('default weights of morph targets: what is measured and moved has weights of 0')).toBe(
+    'モーフターゲットの初期の重み: 測定と動きでは重みを 0 とします',
   );
   expect(sentence('2 skins and 1 animation: the rest pose is used')).toBe(
     'スキン 2、アニメーション 1: 静止時の姿勢を使用',

@@ -201,7 +201,7 @@ function restPoseNotes(document: Document): string[] {
     one.getWeights().some((weight) => weight !== 0),
   );
   return [
-    ...(moving.length > 0 ? [moving.join(' and ')] : []),
-    ...(isMorphed ? ['default weights of morph targets'] : []),
-  ].map((things) => `${things}: the rest pose is used`);
+    ...(moving.length > 0 ? [`${moving.join(' and ')}: the rest pose is used`] : []),
+    ...(isMorphed ? ['default weights of morph targets: what is measured and moved has weights of 0'] : []),
+  ];
 }

@@ -5,8 +5,9 @@ import type { MessageTable } from '../message_table';
 export const FILE_NOTES: MessageTable = {
   // web/engine/document/gltf.ts, obj.ts, ply.ts, off.ts and stl.ts
   '{things}: the rest pose is used': '{things}: 静止時の姿勢を使用',
+  'default weights of morph targets: what is measured and moved has weights of 0':
+    'モーフターゲットの初期の重み: 測定と動きでは重みを 0 とします',
   '{skins} and {animations}: the rest pose is used': '{skins}、{animations}: 静止時の姿勢を使用',
-  'default weights of morph targets': 'モーフターゲットの初期の重み',
   'levels of detail: each keeps the same share of its faces, and what says when it is shown stays':
     'LOD: 各レベルの面を同じ割合で残し、切り替えの条件は変えません',
   '{count} skin': 'スキン {count}',
