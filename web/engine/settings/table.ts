@@ -186,6 +186,7 @@ const ROWS = {
     default: 'off',
     help: 'Keep the mirror symmetry of a mesh across x, y or z, through its centre, or whichever it has (on).',
     group: 'method',
+    isOfUse: true,
     choices: ['off', 'on', 'x', 'y', 'z'],
   },
   /** edges that bend more stay, degrees; 0: none */
