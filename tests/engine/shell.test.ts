@@ -1,9 +1,10 @@
 /** The manual page and the completion of shells. */
 
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { describe, expect, it } from 'vitest';
+import { afterAll, describe, expect, it } from 'vitest';
 import { COMMANDS, flagsOf } from '../../web/cli/flags';
 import { completionScript, wordsOf } from '../../web/cli/shell/completion';
 import type { Shell } from '../../web/cli/shell/completion';
@@ -24,6 +25,15 @@ it('the manual page has every flag of every command, in lines that are no reques
 });
 
 describe('completion', () => {
+  const scratch = mkdtempSync(join(tmpdir(), 'limber-shell-'));
+  afterAll(() => rmSync(scratch, { recursive: true }));
+
+  function scriptFile(shell: Shell): string {
+    const path = join(scratch, shell);
+    writeFileSync(path, completionScript(shell));
+    return path;
+  }
+
   /** What bash offers for the last of the words. */
   function offered(...words: string[]): string[] {
     const script = `${completionScript('bash')}
@@ -60,11 +70,21 @@ _limber; printf '%s\\n' "\${COMPREPLY[@]}"`;
     });
 
     it.skipIf(!hasProgram(shell))(`is a script that ${shell} reads`, () => {
-      const { status, stderr } = spawnSync(shell, ['-n'], {
-        input: completionScript(shell),
-        encoding: 'utf8',
-      });
+      const { status, stderr } = spawnSync(shell, ['-n', scriptFile(shell)], { encoding: 'utf8' });
       expect([status, stderr]).toEqual([0, '']);
     });
   }
+
+  it.skipIf(!hasProgram('fish'))('offers the same in fish', () => {
+    const offeredInFish = (line: string) => {
+      const words = `source ${scriptFile('fish')}; complete -C "${line}"`;
+      const { stdout } = spawnSync('fish', ['--no-config', '-c', words], { encoding: 'utf8' });
+      return stdout.split('\n').map((text) => text.split('\t')[0]);
+    };
+    expect(offeredInFish('limber op')).toContain('optimize');
+    expect(offeredInFish('limber batch --jo')).toContain('--jobs');
+    expect(offeredInFish('limber optimize a.glb --method ')).toEqual(
+      expect.arrayContaining(['limber', 'paper', 'qem']),
+    );
+  });
 });
