@@ -1,5 +1,6 @@
 /** What callers of the library give as models. */
 
+import { runInNewContext } from 'node:vm';
 import { Document } from '@gltf-transform/core';
 import { expect, it } from 'vitest';
 import { filesOf, isDocument } from '../../web/library/models';
@@ -19,4 +20,12 @@ it('are documents only with a graph and a root of glTF-Transform', async () => {
   expect(isDocument(new Document())).toBe(true);
   for (const other of [{ getRoot: () => {} }, { getRoot: () => {}, getGraph: () => {} }, null, 'chair.glb'])
     await expect(filesOf(other as unknown as Model)).rejects.toThrow(/^There is no model: give /);
+});
+
+it('are bytes of another realm, too', async () => {
+  const bytes = runInNewContext('new Uint8Array([1, 2, 3])') as Uint8Array<ArrayBuffer>;
+  expect(bytes).not.toBeInstanceOf(Uint8Array);
+  expect(await filesOf(bytes)).toEqual([{ name: 'model.glb', bytes }]);
+  expect(await filesOf([{ name: 'a.obj', bytes }])).toEqual([{ name: 'a.obj', bytes }]);
+  expect(await filesOf(bytes.buffer)).toEqual([{ name: 'model.glb', bytes: new Uint8Array([1, 2, 3]) }]);
 });

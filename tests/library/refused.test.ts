@@ -120,3 +120,13 @@ it.each([null, 'ratio', [1]])('options that are %j are refused before the worker
   );
   await expect(tune(BYTES, BYTES, options as unknown as TuneOptions)).rejects.toThrow(LimberError);
 });
+
+it.each(['signal', 'onProgress', 'assets'])('%s among the options is told to be of the run', async (name) => {
+  const options = { ratio: 0.5, [name]: () => {} };
+  for (const call of [optimize(BYTES, options), inspect(BYTES, { [name]: undefined } as object)])
+    await expect(call).rejects.toThrow(
+      new LimberError(
+        `The options have "${name}", which is of the run: give { ${name} } as an argument of its own after them.`,
+      ),
+    );
+});

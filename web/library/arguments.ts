@@ -9,6 +9,12 @@ export function checkOptions(options: unknown): void {
     throw new LimberError(
       `The options are ${quotedValue(options)}: give an object such as { solver: "jolt" }, or leave them out.`,
     );
+  // Most of these could not even be sent to the worker, which refuses all others that are no options.
+  const misplaced = Object.keys(RUN).find((name) => Object.hasOwn(options, name));
+  if (misplaced)
+    throw new LimberError(
+      `The options have "${misplaced}", which is of the run: give { ${misplaced} } as an argument of its own after them.`,
+    );
 }
 
 /** Per key of RunOptions whether a value is one of it, and what to give in its place. */

@@ -22,17 +22,24 @@ export function isDocument(model: unknown): model is Document {
 /** Throws LimberError where it is no model. */
 export async function filesOf(model: Model): Promise<ModelFiles> {
   if (isDocument(model)) return filesOfDocument(model);
-  if (model instanceof Uint8Array) return [{ name: 'model.glb', bytes: model }];
-  if (model instanceof ArrayBuffer) return [{ name: 'model.glb', bytes: new Uint8Array(model) }];
+  if (isBytes(model)) return [{ name: 'model.glb', bytes: model }];
+  if (isBuffer(model)) return [{ name: 'model.glb', bytes: new Uint8Array(model) }];
   if (Array.isArray(model)) return (model as ModelFiles).map(checkedFile);
   throw new LimberError(
     'There is no model: give a glTF-Transform Document, the bytes of a GLB, or files with name and bytes.',
   );
 }
 
+/** Bytes may come from another realm: a frame, or the sandbox of a test runner. */
+const isBytes = (value: unknown): value is Uint8Array =>
+  ArrayBuffer.isView(value) && (value as Partial<Uint8Array>)[Symbol.toStringTag] === 'Uint8Array';
+
+const isBuffer = (value: unknown): value is ArrayBuffer =>
+  Object.prototype.toString.call(value) === '[object ArrayBuffer]';
+
 /** Throws LimberError where it is no file of a model. */
 function checkedFile(file: ModelFiles[number], i: number): ModelFiles[number] {
-  if (typeof file?.name === 'string' && file.bytes instanceof Uint8Array) return file;
+  if (typeof file?.name === 'string' && isBytes(file.bytes)) return file;
   throw new LimberError(`File ${i + 1} of the model is none: give its name, and its bytes as a Uint8Array.`);
 }
 
