@@ -2,7 +2,8 @@
 
 import { expect, it } from 'vitest';
 import type { SimulateOptions } from '../../web/library/options';
-import type { WorkMessage, WorkRequest } from '../../web/library/protocol';
+import type { ModelFiles, WorkMessage, WorkRequest } from '../../web/library/protocol';
+import { resultBytes } from '../../web/library/work/result_bytes';
 import { Server } from '../../web/library/work/serve';
 import { textFile } from '../engine/support/files';
 import { addRichMesh, glbFile, startDocument } from '../engine/support/gltf';
@@ -74,4 +75,32 @@ it('notes that bodies without area have no modes to compare', async () => {
   const message = await answered({ command: 'compare', models: [line, line], options: { threads: 1 } });
   const { notes } = (message as { value: { notes: string[] } }).value;
   expect(notes).toEqual(['line: no modes to compare: its triangles have no area']);
+});
+
+it('answers a request once, and tells of files of the core that the caller does not serve, which is no error of ours', async () => {
+  const messages: WorkMessage[] = [];
+  const server = new Server((message) => messages.push(message));
+  const core = { wasmFolder: 'http://localhost:1/limber/' };
+  await server.answer({ command: 'inspect', models: [RING], options: { threads: 1 }, core });
+  server.fail(new Error('Aborted'));
+  const message =
+    'The core in http://localhost:1/limber/ cannot be loaded: serve all files of limber/assets, of this version and unchanged, from its folder.';
+  expect(messages).toEqual([{ failure: { message, setting: null, isInternal: false } }]);
+});
+
+it('gives results in memory of their own where the model lies in shared memory', async () => {
+  const [{ name, bytes }] = RING;
+  const shared = new Uint8Array(new SharedArrayBuffer(bytes.length));
+  shared.set(bytes);
+  // A copy of all bytes where nothing is asked to change.
+  const message = await answered({
+    command: 'optimize',
+    models: [[{ name, bytes: shared }]],
+    options: { threads: 1, ratio: 1, format: 'obj', wantsBodies: false },
+  });
+  const { files } = (message as { value: { files: ModelFiles } }).value;
+  for (const file of files) expect(file.bytes.buffer).toBeInstanceOf(ArrayBuffer);
+  expect(resultBytes(shared)).toEqual(bytes);
+  expect(resultBytes(shared).buffer).toBeInstanceOf(ArrayBuffer);
+  expect(resultBytes(bytes)).toBe(bytes);
 });

@@ -18,6 +18,8 @@ export type {
   OptimizeOptions,
   OptimizeReport,
   Reported,
+  ResultBytes,
+  ResultFile,
   RunOptions,
   SimulateOptions,
   SimulatePairReport,

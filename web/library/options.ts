@@ -15,6 +15,14 @@ export interface ModelFile {
   bytes: Uint8Array;
 }
 
+/** What a result brings, in memory of its own, as Blob, fetch and others ask for. */
+export type ResultBytes = Uint8Array<ArrayBuffer>;
+
+/** A file of a result. */
+export interface ResultFile extends ModelFile {
+  bytes: ResultBytes;
+}
+
 /**
  * A mesh to work on: a document of glTF-Transform, the bytes of a GLB, or a GLB, glTF, OBJ, STL, PLY or OFF file with the
  * files that it names, or a ZIP of these.
@@ -82,15 +90,15 @@ export interface RunOptions {
 
 export interface Level {
   /** the bytes of its first file; null where the level is in the file of the first (`lodStyle`) */
-  glb: Uint8Array | null;
+  glb: ResultBytes | null;
   /** all of its files, the first one first, under names of their own: NAME_lod1.glb and so on */
-  files: ModelFile[];
+  files: ResultFile[];
   report: LevelReport;
 }
 
 /** A level with files of its own. */
 export interface FileLevel extends Level {
-  glb: Uint8Array;
+  glb: ResultBytes;
 }
 
 /** The parts that a report of the call always has are no optional ones in its type. */
@@ -118,12 +126,12 @@ export interface OptimizedDocument extends Optimized<FileLevel> {
 
 export interface OptimizedGlb<OneLevel extends Level = Level> extends Optimized<OneLevel> {
   /** the bytes that the command line writes under the same settings: the first file, of another format where `format` says so */
-  glb: Uint8Array;
+  glb: ResultBytes;
   /**
    * All files that are written, that one first; a glTF has a buffer and images, an OBJ its materials. They have the name of the
    * model, `model` where it came without one, with the ending of the format. Those of the levels fit into the same folder.
    */
-  files: ModelFile[];
+  files: ResultFile[];
 }
 
 /** `fidelity` has the errors of the vibration, and none of solvers. */
@@ -140,7 +148,7 @@ export type ModesReport = ReportWith<'model' | 'components' | 'zeroModes' | 'mod
 
 export interface ModesResult extends Reported<ModesReport> {
   /** null without `writesShapes` */
-  shapes: Uint8Array | null;
+  shapes: ResultBytes | null;
 }
 
 export type SimulateReport = ReportWith<'simulation'>;
@@ -153,7 +161,7 @@ export type SimulatePairReport = SimulateReport &
 
 export interface SimulateResult<OfCall extends SimulateReport = SimulateReport> extends Reported<OfCall> {
   /** null without `records` */
-  recording: Uint8Array | null;
+  recording: ResultBytes | null;
 }
 
 /** Bad input or an error inside; its message is one sentence that says what is wrong, where, and what to do. */

@@ -50,6 +50,10 @@ export interface CoreAddress {
   addresses?: Record<string, string>;
 }
 
+/** The cure where the files of the core are not what they should be. */
+export const SERVE_ASSETS =
+  'serve all files of limber/assets, of this version and unchanged, from its folder.';
+
 export interface WorkRequest {
   command: CommandName;
   models: ModelFiles[];

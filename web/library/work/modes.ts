@@ -16,6 +16,7 @@ import { exportedMesh } from '../../engine/stages/written';
 import type { ModesOptions, ModesReport, ModesResult, Reported } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
+import { resultBytes } from './result_bytes';
 import { inNames, nameOf } from './session';
 import type { WorkSession } from './session';
 import { settingsAsUsed } from './settings';
@@ -35,7 +36,7 @@ export async function findModes(
   const { sets, warnings } = modesOfFile(file, settings);
   session.warn(warnings);
   const modes = session.lap();
-  const shapes = writesShapes ? await shapesGlb(session, file) : null;
+  const shapes = writesShapes ? resultBytes(await shapesGlb(session, file)) : null;
   const report: ModesReport = {
     ...startReport(core, 'modes', optionsAsUsed(settings), prepared),
     ...modesReport(sets),

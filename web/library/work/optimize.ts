@@ -20,6 +20,7 @@ import { STAGES } from '../../engine/stages/stages';
 import { checkWritten } from '../../engine/stages/written_form';
 import type { Level } from '../options';
 import type { ModelFiles, OptimizeReply, OptimizeRequest } from '../protocol';
+import { resultFiles } from './result_bytes';
 import { nameOf } from './session';
 import type { WorkSession } from './session';
 
@@ -59,7 +60,7 @@ export async function optimizeModel(
   const output = new FileOutput(file, request);
   output.compute((run, own) => session.warn(resultWarnings(run, own)));
   session.lap();
-  const files = options.wantsBodies ? [] : await output.files(name);
+  const files = options.wantsBodies ? [] : resultFiles(await output.files(name));
   const bodies = options.wantsBodies ? writtenBodies(file, request) : [];
   const bindingFile = binding ? output.binding() : null;
   const settingsFile = settings.solver === 'none' ? null : output.settings();
@@ -128,7 +129,8 @@ async function furtherLevels(
 ): Promise<{ levels: Level[]; stopped: StoppedLevel[] }> {
   const [levels, stopped]: [Level[], StoppedLevel[]] = [[], []];
   for (const [i, file] of names.entries()) {
-    const { files, bodies, report } = await output.level(i, file);
+    const { files: written, bodies, report } = await output.level(i, file);
+    const files = resultFiles(written);
     levels.push({ glb: files[0]?.bytes ?? null, files, report: { file, ...report } });
     stopped.push({ file, bodies });
   }

@@ -3,7 +3,16 @@
 import type { Core, Progress } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { SettingError, wordSentence } from '../../engine/settings/options';
-import type { Failure, Commands, CommandName, ModelFiles, WorkMessage, WorkRequest } from '../protocol';
+import { SERVE_ASSETS } from '../protocol';
+import type {
+  CoreAddress,
+  Failure,
+  Commands,
+  CommandName,
+  ModelFiles,
+  WorkMessage,
+  WorkRequest,
+} from '../protocol';
 import { findModes, inspectModel } from './modes';
 import { optimizeModel } from './optimize';
 import { compareModels, tuneModel } from './pairs';
@@ -30,28 +39,41 @@ export class Server {
   /** of all requests: those for another number of threads go to another worker */
   private core: Core | null = null;
   private onProgress: (progress: Progress) => void = () => {};
+  /** whether a request waits for its end */
+  private isOpen = false;
 
   /** `send` takes a message to the caller. */
   constructor(private readonly send: (message: WorkMessage) => void) {}
 
   /** Sends progress, and then the reply or why there is none. */
   async answer(request: WorkRequest): Promise<void> {
+    this.isOpen = true;
     try {
-      this.send({ value: await this.run(request) });
+      this.end({ value: await this.run(request) });
     } catch (error) {
-      this.send({ failure: failureOf(error) });
+      this.fail(error);
     }
   }
 
-  /** Ends the request with an error that arrives outside of it. */
+  /** Ends the request with an error, which may arrive outside of it. */
   fail(error: unknown): void {
-    this.send({ failure: failureOf(error) });
+    this.end({ failure: failureOf(error) });
+  }
+
+  /** A core that cannot start says so twice; the second time is no answer to the next request. */
+  private end(message: WorkMessage): void {
+    if (this.isOpen) this.send(message);
+    this.isOpen = false;
   }
 
   private async run({ command, models, options, core: address }: WorkRequest) {
     const settings = settingsFrom(command, options);
     const onProgress = (progress: Progress) => this.onProgress(progress);
-    this.core ??= await loadCore({ threads: settings.threads, onProgress, ...address });
+    this.core ??= await loadCore({ threads: settings.threads, onProgress, ...address }).catch(
+      (error: unknown) => {
+        throw isServed(address) && !(error instanceof RangeError) ? new Error(notLoaded(address)) : error;
+      },
+    );
     const session = new WorkSession(this.core, settings, (progress) => this.send({ progress }));
     this.onProgress = (progress) => session.report(progress);
     try {
@@ -61,6 +83,12 @@ export class Server {
     }
   }
 }
+
+/** Whether the caller serves the files of the core itself, which may go wrong. */
+const isServed = ({ wasmFolder }: CoreAddress): boolean => /^https?:/.test(wasmFolder);
+
+const notLoaded = ({ wasmFolder }: CoreAddress): string =>
+  `The core in ${wasmFolder} cannot be loaded: ${SERVE_ASSETS}`;
 
 /** Callers know settings by their names. Plain Errors of the engine are about the input. */
 function failureOf(error: unknown): Failure {

@@ -25,6 +25,7 @@ import type { SimulateOptions, SimulateReport, SimulateResult } from '../options
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
 import { checkPairs } from './pairs';
+import { resultBytes } from './result_bytes';
 import type { WorkSession } from './session';
 import { settingsAsUsed } from './settings';
 
@@ -63,7 +64,9 @@ export async function simulateModels(
   const calibration = session.lap();
   const motions = moveBodies(session, sides, { ...carried, records: options.records ?? false });
   const simulate = session.lap();
-  const recording = options.records ? await recordingGlb(recorded(motions, sides), STEP_SECONDS) : null;
+  const recording = options.records
+    ? resultBytes(await recordingGlb(recorded(motions, sides), STEP_SECONDS))
+    : null;
   const { factors, tuning } = carried;
   const used = settingsAsUsed('simulate', settings);
   const report: SimulateReport = {
