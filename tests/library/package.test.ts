@@ -6,7 +6,7 @@ import { copyFileSync, cpSync, readFileSync, rmSync, statSync, writeFileSync } f
 import type { Server } from 'node:http';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
-import type { Browser } from '@playwright/test';
+import type { Browser, Page } from '@playwright/test';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { glbFile, startDocument, addMesh, primitiveOf } from '../engine/support/gltf';
 import { torus } from '../engine/support/shapes';
@@ -240,11 +240,17 @@ describe('in browsers', () => {
        if (error || stats.hasErrors()) throw error ?? new Error(stats.toString());
      });`;
 
-  async function visit(out: string, headers: Record<string, string>, query = '') {
+  async function visit(
+    out: string,
+    headers: Record<string, string>,
+    query = '',
+    prepare: (page: Page) => Promise<unknown> = async () => {},
+  ) {
     copyFileSync(join(folder, 'ring.glb'), join(bundling, out, 'ring.glb'));
     const { address, server } = await serve(join(bundling, out), headers);
     servers.push(server);
     const page = await browser.newPage();
+    await prepare(page);
     // Printed, since a strict policy forbids what evaluates in the page.
     const printed = page.waitForEvent('console', {
       predicate: (message) => message.text().startsWith('found '),
@@ -287,9 +293,31 @@ describe('in browsers', () => {
       "default-src 'none'; script-src 'self' 'unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:";
     const headers = { ...ISOLATION, 'Content-Security-Policy': policy };
     const refused = await visit('strict', headers);
-    expect(refused.error).toMatch(/^LimberError: /);
+    expect(refused.error).toMatch(/^LimberError: The worker cannot be started from a blob, /);
     const served = await visit('strict', headers, '?assets=/limber/');
     expect(served).toEqual(asExpected(served.threads));
+  });
+
+  it('asks again for a part of the bundle that did not arrive', async () => {
+    BUNDLE.esbuild('page', 'again', false);
+    const loseOne = (page: Page) => page.route('**/_payload_single*', (route) => route.abort(), { times: 1 });
+    expect(await visit('again', {}, '?again', loseOne)).toEqual({ ...asExpected(1), missed: 'LimberError' });
+  });
+
+  it('tells of a folder that has not all of its files', async () => {
+    BUNDLE.esbuild('page', 'gone', false);
+    const out = join(bundling, 'gone');
+    const asked = () => visit('gone', {}, '?assets=/limber/');
+    const cure = 'serve all files of limber/assets, of this version and unchanged, from its folder.';
+    const address = 'http://localhost:\\d+/limber/';
+    expect((await asked()).error).toMatch(
+      new RegExp(`^LimberError: ${address}worker.mjs cannot be started: ${cure}$`),
+    );
+    cpSync(join(packed, 'assets'), join(out, 'limber'), { recursive: true });
+    rmSync(join(out, 'limber', 'limber-single.wasm'));
+    expect((await asked()).error).toMatch(
+      new RegExp(`^LimberError: The core in ${address} cannot be loaded: ${cure}$`),
+    );
   });
 
   it('what is not used is left out', () => {

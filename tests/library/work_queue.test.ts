@@ -57,3 +57,19 @@ it('tells in a sentence that a call cannot be sent, which is no error of the lib
     message: expect.stringMatching(/^The call cannot be sent to the worker: give /) as string,
   });
 });
+
+it('starts another worker after an error inside, which may have broken the core, and not after bad input', async () => {
+  const failures = [true, false].map((isInternal) => ({ message: 'No.', setting: null, isInternal }));
+  for (const failure of failures) {
+    startWorker.mockImplementationOnce(async ({ onMessage }: Listener) => ({
+      core: { wasmFolder: '' },
+      post: () => queueMicrotask(() => onMessage({ failure })),
+      keepAlive: () => {},
+      terminate,
+    }));
+    await expect(workQueue().run('inspect', [], {}, {})).rejects.toMatchObject(failure);
+  }
+  expect(startWorker).toHaveBeenCalledTimes(2);
+  await expect(workQueue().run('inspect', [], {}, {})).rejects.toMatchObject(failures[1]);
+  expect(startWorker).toHaveBeenCalledTimes(2);
+});

@@ -3,6 +3,8 @@
  * are started from blobs; with `assets` they are loaded from a folder of the page instead.
  */
 
+import { LimberError } from './options';
+import { SERVE_ASSETS } from './protocol';
 import type { CoreAddress, Listener, StartedWorker, WorkMessage, WorkRequest } from './protocol';
 
 type Build = 'single' | 'threads';
@@ -14,12 +16,12 @@ export async function startBrowserWorker(
   // Memory is shared in pages that are isolated from other origins; elsewhere the core has one thread.
   const build: Build = threads !== 1 && typeof SharedArrayBuffer !== 'undefined' ? 'threads' : 'single';
   const [program, core] = assets === null ? await fromBlobs(build) : fromFolder(assets);
+  const refusal = assets === null ? BLOB_REFUSED : `${program} cannot be started: ${SERVE_ASSETS}`;
   const worker = new Worker(program, { type: 'module', name: 'limber' });
   worker.addEventListener('message', ({ data }: MessageEvent<WorkMessage>) => listener.onMessage(data));
+  // An error in the program of the worker has a message, one in loading it has none.
   worker.addEventListener('error', ({ message }) =>
-    listener.onError(
-      new Error(message || 'The worker of limber could not be started: see the README of the package.'),
-    ),
+    listener.onError(message ? new Error(message) : new LimberError(refusal)),
   );
   return {
     core,
@@ -29,8 +31,14 @@ export async function startBrowserWorker(
   };
 }
 
+const BLOB_REFUSED =
+  'The worker cannot be started from a blob, which the content security policy of the page may forbid: name a folder with the files of limber/assets as "assets".';
+
 function fromFolder(assets: string): [string, CoreAddress] {
-  const folder = new URL(assets.endsWith('/') ? assets : `${assets}/`, globalThis.location?.href).href;
+  const { protocol, href } = globalThis.location;
+  // A caller that was started from a blob has no folder.
+  const base = protocol === 'blob:' ? globalThis.origin : href;
+  const folder = new URL(assets.endsWith('/') ? assets : `${assets}/`, base).href;
   return [new URL('worker.mjs', folder).href, { wasmFolder: folder }];
 }
 
@@ -40,6 +48,8 @@ const blobs = new Map<Build, Promise<[string, CoreAddress]>>();
 function fromBlobs(build: Build): Promise<[string, CoreAddress]> {
   const known = blobs.get(build) ?? makeBlobs(build);
   blobs.set(build, known);
+  // A part that could not be loaded is asked for again by the next call.
+  known.catch(() => blobs.delete(build));
   return known;
 }
 

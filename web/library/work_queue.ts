@@ -110,9 +110,11 @@ class WorkQueue {
     if (!work) return;
     if ('progress' in message) return this.tell(work, message);
     this.running = null;
-    void this.worker?.then((worker) => this.running ?? worker.keepAlive(false));
     if ('value' in message) work.resolve(message.value);
     else work.reject(errorOf(message.failure));
+    // What has failed inside may have left a core that fails again.
+    if ('failure' in message && message.failure.isInternal) this.endWorker();
+    else void this.worker?.then((worker) => this.running ?? worker.keepAlive(false));
     this.next();
   }
 
