@@ -59,6 +59,21 @@ test('after one visit everything works offline, from a folder of a host without 
     expect(kept.some((address) => address.includes(part))).toBe(true);
 });
 
+test('a host that shows no index.html for a folder, and knows no type of the core, serves it too', async ({
+  page,
+  context,
+}) => {
+  const plain = await startHost('app', true);
+  await page.goto(`${plain.address}index.html`);
+  await expect.poll(() => isIsolated(page)).toBe(true);
+  await expect(page.getByRole('button', { name: 'Open', exact: true })).toBeVisible();
+  await plain.close();
+  await context.setOffline(true);
+  await page.reload();
+  await reduceSheet(page);
+  expect((await saveGlb(page)).length).toBeGreaterThan(1000);
+});
+
 test(
   'a part that is gone from the host is said, and a reload brings the work back',
   { tag: '@full' },

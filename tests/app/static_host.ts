@@ -30,18 +30,18 @@ export interface StaticHost {
 
 const PREFIX = '/tools/limber/';
 
-/** `built`: the folder below `dist` that is served. */
-export async function startHost(built: 'app' | 'site' = 'app'): Promise<StaticHost> {
+/** `built`: the folder below `dist` that is served; `isPlain`: by a host that shows no index.html for a folder and has no type for .mjs and .wasm. */
+export async function startHost(built: 'app' | 'site' = 'app', isPlain = false): Promise<StaticHost> {
   const folder = mkdtempSync(join(tmpdir(), 'limber-host-'));
   cpSync(join(import.meta.dirname, '..', '..', 'dist', built), folder, { recursive: true });
+  const index = isPlain ? 'none' : 'index.html';
+  const typeOf = (ending: string) =>
+    (isPlain && /mjs|wasm/.test(ending) ? undefined : types[ending]) ?? 'application/octet-stream';
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url!, 'http://localhost').pathname);
-    const name = path.startsWith(PREFIX) ? path.slice(PREFIX.length) || 'index.html' : 'none';
+    const name = path.startsWith(PREFIX) ? path.slice(PREFIX.length) || index : 'none';
     readFile(join(folder, name)).then(
-      (bytes) =>
-        response
-          .writeHead(200, { 'content-type': types[extname(name)] ?? 'application/octet-stream' })
-          .end(bytes),
+      (bytes) => response.writeHead(200, { 'content-type': typeOf(extname(name)) }).end(bytes),
       () => response.writeHead(404).end(),
     );
   });

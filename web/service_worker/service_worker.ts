@@ -32,14 +32,30 @@ async function hashOf(bytes: ArrayBuffer): Promise<string> {
   return Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
+/** Types by ending that browsers insist on and that some hosts do not know: modules are not run, and WebAssembly is slow to compile. */
+const TYPES: Record<string, string> = {
+  js: 'text/javascript',
+  mjs: 'text/javascript',
+  wasm: 'application/wasm',
+};
+
+function typeHeader(address: string): Record<string, string> {
+  const type = TYPES[address.split('.').pop()!];
+  return type ? { 'Content-Type': type } : {};
+}
+
 /** Throws where the host has another version of the file, as files of two versions do not work together. */
 async function load(address: string, hash: string): Promise<Response> {
   const response = await fetch(address, { cache: 'no-cache' });
   if (!response.ok) throw new Error(`${address} could not be loaded: the host answered ${response.status}.`);
   const bytes = await response.arrayBuffer();
   if ((await hashOf(bytes)) !== hash) throw new Error(`${address} is of another version.`);
-  return withHeaders(response, bytes, { [HASH_HEADER]: hash });
+  return withHeaders(response, bytes, { ...typeHeader(address), [HASH_HEADER]: hash });
 }
+
+/** Some hosts show index.html under its name alone, and nothing or a list of files for its folder. */
+const loadPage = (hash: string): Promise<Response> =>
+  load(scope, hash).catch(() => load(`${scope}index.html`, hash));
 
 /** Keeps all files; those that an earlier version has too are not loaded again. */
 async function keepAll(): Promise<void> {
@@ -50,7 +66,8 @@ async function keepAll(): Promise<void> {
     const known = (await Promise.all(earlier.map((one) => one.match(address)))).find(
       (response) => response?.headers.get(HASH_HEADER) === hash,
     );
-    await cache.put(address, known ?? (await load(address, hash)));
+    const loaded = () => (address === scope ? loadPage(hash) : load(address, hash));
+    await cache.put(address, known ?? (await loaded()));
   };
   // One after the other, as the page itself is at work meanwhile.
   for (const entry of Object.entries(BUILT.files)) await keep(entry);
