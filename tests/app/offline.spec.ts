@@ -136,3 +136,35 @@ test(
     await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
   },
 );
+
+test(
+  'a version that never arrived whole does not push out the one that a tab still shows',
+  { tag: '@full' },
+  async ({ page }) => {
+    await visit(page);
+    const [shown] = await page.evaluate(() => caches.keys());
+    const [index, sample] = ['index.html', 'samples/tower.glb'].map((name) => join(host.folder, name));
+    const [text, whole] = [readFileSync(index, 'utf8'), readFileSync(sample)];
+    const deploy = async (title: string) => {
+      writeFileSync(index, text.replace('<title>Limber', `<title>${title}`));
+      await buildServiceWorker(host.folder);
+    };
+    writeFileSync(sample, 'of this version');
+    await deploy('Broken');
+    writeFileSync(sample, 'of another version');
+    const update = () =>
+      page.evaluate(async () => void (await (await navigator.serviceWorker.ready).update().catch(() => {})));
+    await update();
+    await expect.poll(() => page.evaluate(async () => (await caches.keys()).length)).toBe(2);
+    await expect
+      .poll(() => page.evaluate(async () => (await navigator.serviceWorker.ready).installing === null))
+      .toBe(true);
+    writeFileSync(sample, whole);
+    await deploy('Newer');
+    await update();
+    await page.getByRole('status').getByRole('button', { name: 'Reload' }).click();
+    await expect(page).toHaveTitle(/^Newer/);
+    const kept = await page.evaluate(() => caches.keys());
+    expect([kept.length, kept[0]]).toEqual([2, shown]);
+  },
+);

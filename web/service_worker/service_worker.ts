@@ -11,9 +11,8 @@ const HASH_HEADER = 'X-Limber-Hash';
 const scope = worker.registration.scope;
 const FAMILY = `limber ${scope} `;
 const CACHE = FAMILY + BUILT.version;
-/** This version and the one before it, which other tabs may still show. */
-const MOST_CACHES = 2;
-
+/** index.html in the list of files */
+const PAGE = './';
 const cacheNames = async (): Promise<string[]> =>
   (await caches.keys()).filter((name) => name.startsWith(FAMILY));
 
@@ -66,17 +65,25 @@ async function keepAll(): Promise<void> {
     const known = (await Promise.all(earlier.map((one) => one.match(address)))).find(
       (response) => response?.headers.get(HASH_HEADER) === hash,
     );
-    const loaded = () => (address === scope ? loadPage(hash) : load(address, hash));
+    const loaded = () => (path === PAGE ? loadPage(hash) : load(address, hash));
     await cache.put(address, known ?? (await loaded()));
   };
-  // One after the other, as the page itself is at work meanwhile.
-  for (const entry of Object.entries(BUILT.files)) await keep(entry);
+  // One after the other, as the page itself is at work meanwhile; `isWhole` looks for the last one.
+  const { [PAGE]: page, ...others } = BUILT.files;
+  for (const entry of [...Object.entries(others), [PAGE, page] as [string, string]]) await keep(entry);
 }
 
+/** Whether all files of a version have arrived. */
+const isWhole = async (name: string): Promise<boolean> =>
+  (await (await caches.open(name)).match(scope)) !== undefined;
+
+/** Keeps this version, the one before it, which other tabs may still show, and one that is on its way. */
 async function removeOldest(): Promise<void> {
-  const others = (await cacheNames()).filter((name) => name !== CACHE);
-  const last = others.slice(-(MOST_CACHES - 1));
-  await Promise.all(others.filter((name) => !last.includes(name)).map((name) => caches.delete(name)));
+  const names = await cacheNames();
+  const older = names.slice(0, names.indexOf(CACHE));
+  const whole = await Promise.all(older.map(isWhole));
+  const before = older.filter((_, i) => whole[i]).at(-1);
+  await Promise.all(older.filter((name) => name !== before).map((name) => caches.delete(name)));
 }
 
 const isPage = (url: URL): boolean => url.href === scope || url.href === `${scope}index.html`;
