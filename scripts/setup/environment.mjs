@@ -20,12 +20,14 @@ export function outputOf(command, ...args) {
   }
 }
 
-/** Runs a command with output to the terminal; ends this program with one sentence if it fails. */
-export function run(command, args, { cwd = root, env = process.env, quiet = false } = {}) {
+/** Runs a command with output to the terminal; ends this program with one sentence if it fails, with what to do (`cure`). */
+export function run(command, args, { cwd = root, env = process.env, quiet = false, cure = '' } = {}) {
   const result = spawnSync(command, args, { cwd, env, stdio: quiet ? 'pipe' : 'inherit', encoding: 'utf8' });
   if (result.status === 0) return;
   if (quiet) process.stderr.write(`${result.stdout ?? ''}${result.stderr ?? ''}`);
-  fail(`"${command} ${args.join(' ')}" failed${result.error ? `: ${result.error.message}` : ''}.`);
+  fail(
+    `"${command} ${args.join(' ')}" failed${result.error ? `: ${result.error.message}` : ''}${cure && `: ${cure}`}.`,
+  );
 }
 
 export function fail(sentence) {

@@ -17,6 +17,9 @@ import {
   run,
 } from './environment.mjs';
 
+/** What to do where packages cannot be loaded. */
+const ONLINE = 'the reason is above; it needs the network, so connect and run this again';
+
 const isDebian = () => existsSync('/etc/debian_version') && isOnPath('apt-get');
 const debianRelease = () => /VERSION_ID="(\d+)"/.exec(readFileSync('/etc/os-release', 'utf8'))?.[1];
 
@@ -82,7 +85,7 @@ function installNodePackages() {
   const stamp = join(root, 'node_modules', '.limber-lock');
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted) return;
   console.log('Installing npm packages ...');
-  run('npm', ['ci', '--no-audit', '--no-fund', '--loglevel=error'], { quiet: true });
+  run('npm', ['ci', '--no-audit', '--no-fund', '--loglevel=error'], { quiet: true, cure: ONLINE });
   writeFileSync(stamp, wanted);
 }
 
@@ -109,8 +112,12 @@ function apt(packages) {
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
   // Automatic updates of the system can hold apt's lock for minutes: wait for it.
   const quietly = [...prefix, '-qq', '-o', 'DPkg::Lock::Timeout=600'];
-  run(command, [...quietly, 'update'], { quiet: true, env });
-  run(command, [...quietly, '-y', '--no-install-recommends', 'install', ...packages], { quiet: true, env });
+  run(command, [...quietly, 'update'], { quiet: true, env, cure: ONLINE });
+  run(command, [...quietly, '-y', '--no-install-recommends', 'install', ...packages], {
+    quiet: true,
+    env,
+    cure: ONLINE,
+  });
 }
 
 /** The folder of Emscripten >= 3.1.69: the installed one, Debian 13's package, or that package unpacked on Debian 12. */
@@ -130,5 +137,8 @@ function unpackEmscripten() {
   if (!programs.every((program) => existsSync(program))) apt(llvm);
   console.log('Unpacking Emscripten into .toolchain/ ...');
   mkdirSync(join(root, '.toolchain'), { recursive: true });
-  run('bash', [join(root, 'scripts', 'setup', 'toolchain.sh'), folders.toolchain], { quiet: true });
+  run('bash', [join(root, 'scripts', 'setup', 'toolchain.sh'), folders.toolchain], {
+    quiet: true,
+    cure: ONLINE,
+  });
 }
