@@ -13,6 +13,7 @@ const FAMILY = `limber ${scope} `;
 const CACHE = FAMILY + BUILT.version;
 /** index.html in the list of files */
 const PAGE = './';
+
 const cacheNames = async (): Promise<string[]> =>
   (await caches.keys()).filter((name) => name.startsWith(FAMILY));
 

@@ -49,6 +49,10 @@ export interface StoppedBody {
   name?: string;
 }
 
+/** The faces of bodies as they are in the file. */
+export const writtenFacesOf = (bodies: StoppedBody[]): number =>
+  sum(bodies.map(({ faces, duplicates = 0 }) => faces + duplicates));
+
 /** The reason is that of the first body that stopped above its target; `target` where none did. */
 export function stopReport(bodies: StoppedBody[]): StopReport {
   const above = bodies.filter(({ faces, targetFaces }) => faces > targetFaces);

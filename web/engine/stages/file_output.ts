@@ -20,7 +20,7 @@ import { resultReport, worstSurface } from '../report/result_report';
 import type { LevelReport } from '../report/result_report';
 import { settingsFile, writeSettings } from '../report/settings_file';
 import { solverReport } from '../report/solver_report';
-import { stopReport } from '../report/stop_report';
+import { stopReport, writtenFacesOf } from '../report/stop_report';
 import type { StoppedBody } from '../report/stop_report';
 import { methodOf } from '../settings/options';
 import type { TunedBody } from '../solvers/tuned_body';
@@ -122,12 +122,7 @@ export class FileOutput {
       surface: worstSurface(levels.map(({ measured }) => measured.distance)),
       stop: stopReport(bodies),
     };
-    return {
-      files,
-      faces: sum(bodies.map(({ faces, duplicates = 0 }) => faces + duplicates)),
-      bodies,
-      report,
-    };
+    return { files, faces: writtenFacesOf(bodies), bodies, report };
   }
 
   /** The text of the binding file. */

@@ -9,11 +9,10 @@ import { errorCurveStage } from './budget/error_curve';
 import { FIT_SETTINGS, firstFits, fitSettings } from './fit';
 import { findFrequencyLevel } from './budget/frequency_level';
 import type { FrequencyTarget } from './budget/frequency_level';
-import { firstToFit, fitGuarded } from './budget/guarded_fit';
+import { findGuard, firstToFit, fitGuarded } from './budget/guarded_fit';
 import { guardedLevelStage } from './budget/guarded_level';
 import { keptHistoryStage } from './kept_history';
 import { levelStage } from './level';
-import { measureDistance } from './measure';
 import { preparedStage } from './prepared';
 import { declareStage } from './stage';
 import { TUNE_SETTINGS, tuneSettings } from './tune';
@@ -65,8 +64,8 @@ export const fittedStage = declareStage({
     const target = { ...frequency, targetFaces: faceCount(level.result.mesh) };
     const found = findFrequencyLevel(context, { prepared, kept }, request, target);
     const isGuarded = level.isStopped && !found.frequency.isBinding;
-    const deviation = (): number => measureDistance(context.core, prepared, found.result.mesh).hausdorff;
-    return { ...found, guard: isGuarded ? { limit: maxDeviation, deviation: deviation() } : null };
+    const guard = isGuarded ? findGuard(context.core, prepared, found.result, maxDeviation) : null;
+    return { ...found, guard };
   },
   firstCalls: (_context, { prepared, constraints: { constraints }, level }, { fit, frequency }) =>
     frequency ? [] : firstFits(prepared, [firstToFit(level)], { constraints, settings: fit }),

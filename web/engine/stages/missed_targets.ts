@@ -5,7 +5,7 @@ import { sum } from '../core/mesh';
 import { besideLimit, counted, grouped } from '../core/words';
 import { describeFinerLevels } from '../report/level_words';
 import { worstSurface } from '../report/result_report';
-import { describeRefused, isBlockedBySeams, stopReport } from '../report/stop_report';
+import { describeRefused, isBlockedBySeams, stopReport, writtenFacesOf } from '../report/stop_report';
 import type { StoppedBody } from '../report/stop_report';
 import type { SettingName, Settings } from '../settings/options';
 import type { FaceTarget } from './budget/face_shares';
@@ -91,17 +91,13 @@ export function missedTargets(
       ...(isAsked ? [] : [...(hasCount ? [ofFile] : []), guard]),
       ...(named.has('lods') ? [] : ofLevels),
       ...describeFinerLevels(
-        facesOf(output.stopped()),
-        levels.map(({ file, bodies }) => ({ file, faces: facesOf(bodies) })),
+        writtenFacesOf(output.stopped()),
+        levels.map(({ file, bodies }) => ({ file, faces: writtenFacesOf(bodies) })),
         nameOf('lods'),
       ),
     ].filter(isPresent),
   };
 }
-
-/** As they are in the file. */
-const facesOf = (bodies: StoppedBody[]): number =>
-  sum(bodies.map(({ faces, duplicates }) => faces + (duplicates ?? 0)));
 
 /** Why bodies have more faces than was asked for, because the surface would go too far; '' where none has. */
 function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], where: string): string {
@@ -111,14 +107,14 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
   const { name = '' } = stopped;
   const others =
     guarded.length > 1 ? ` and ${counted(guarded.length - 1, 'other body', 'other bodies')}` : '';
-  return `${where}${name}${others} stopped at ${writtenFaces([stopped])}, ${besideLimit(deviation, limit)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
+  return `${where}${name}${others} stopped at ${describeFaces([stopped])}, ${besideLimit(deviation, limit)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
 }
 
 /** The faces as they are in the file, and how many count for targets where these are fewer. */
-function writtenFaces(bodies: StoppedBody[]): string {
+function describeFaces(bodies: StoppedBody[]): string {
   const faces = sum(bodies.map((body) => body.faces));
   const duplicates = sum(bodies.map((body) => body.duplicates ?? 0));
-  const all = `${grouped(facesOf(bodies))} faces`;
+  const all = `${grouped(writtenFacesOf(bodies))} faces`;
   return duplicates > 0 ? `${all} (${grouped(faces)} without duplicates)` : all;
 }
 
@@ -166,7 +162,7 @@ function describeMiss(
     (body, i) => isExhausted(body) && isBlockedBySeams(originals[i], body.history.refused, settings),
   );
   const cure = isBlocked ? `; ${nameOf('seams')} cross lets them give way` : '';
-  return `${where}Stopped at ${writtenFaces(missed)}${which}, not ${grouped(target)}: ${reasons}${cure}`;
+  return `${where}Stopped at ${describeFaces(missed)}${which}, not ${grouped(target)}: ${reasons}${cure}`;
 }
 
 const isExhausted = (body: StoppedBody): boolean => stopReport([body]).reason === 'exhausted';

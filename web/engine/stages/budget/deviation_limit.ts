@@ -58,13 +58,13 @@ export function* searchWithinDeviation(
   return facesAt(good);
 }
 
-/** `fewerFacesWithin` tries one level with at least this share of fewer faces, and twice as many each time that one is within the limit. */
+/** The share of the faces that the first step of `fewerFacesWithin` takes away at least; each further step doubles it. */
 const FEWER = 0.02;
 
 /**
- * The fewest faces, of those `from` which a level is within the limit down `to` the wanted ones, that are found to be within it
- * without a gap of levels that are not; to 1 %. Where the next level is not, that is the only one that is asked for. `faces`: of all
- * levels, falling.
+ * Steps down from the level at `from`, which is within the limit, to the one at `to` at most, as long as levels stay within it; then
+ * bisects the last step. Returns the faces of the last level within the limit: to 1 %, or those of `from` where the first step goes
+ * beyond it, which is then the only question. `faces`: of all levels, falling.
  */
 export function fewerFacesWithin(
   faces: ArrayLike<number>,

@@ -42,9 +42,19 @@ export function fitGuarded(
   const stopped = level.isStopped ? first : fitOf(guardLevel(core, body, level.result, limit).result);
   const fitted = withFewerFaces(core, body, stopped, request);
   if (faceCount(fitted.result.mesh) <= faceCount(wanted.mesh)) return { ...fitted, guard: null };
-  const { hausdorff } = measureDistance(core, prepared, fitted.result.mesh);
-  return { ...fitted, guard: { limit, deviation: hausdorff } };
+  return { ...fitted, guard: findGuard(core, prepared, fitted.result, limit) };
 }
+
+/** What is told of a result that the limit has stopped. */
+export const findGuard = (
+  core: Core,
+  prepared: PreparedBody,
+  { mesh }: MeshAt,
+  limit: number,
+): GuardFinding => ({
+  limit,
+  deviation: measureDistance(core, prepared, mesh).hausdorff,
+});
 
 /** The level with the fewest faces, from those of `stopped` to the wanted ones, that its fit brings within the limit. */
 function withFewerFaces(
