@@ -5,8 +5,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
+#include "base/memory.h"
+#include "linear/block_lanczos.h"
 #include "linear/dense/dense_eigensolver.h"
 #include "linear/eigen_search.h"
 #include "linear/shifted_pencil.h"
@@ -19,6 +22,9 @@ constexpr int kDenseLimit = 120;  // heavy unknowns: pencils with no more are so
 constexpr int kExtraPairs = 4;    // computed beyond the wanted ones, to find a gap and catch whole clusters
 constexpr int kBasisBeyond = 24;  // Lanczos vectors in addition to the wanted pairs
 constexpr int kLanczosRestarts = 100;
+// Of block Lanczos in a rough search: vectors of a block, and blocks beyond two vectors for each pair.
+constexpr Eigen::Index kBlockSize = 16, kBlocksBeyond = 8;
+constexpr Eigen::Index kWorkBlocks = 3;  // of a step
 constexpr double kLanczosTolerance = 1e-10;
 constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, where solved densely
 // A shift within these multiples of the first positive eigenvalue is good enough: Lanczos converges well, and
@@ -75,8 +81,33 @@ Eigen::VectorXd startVector(Eigen::Index size) {
   return x;
 }
 
+// Pseudo-random vectors, always the same for the same sizes.
+Eigen::MatrixXd startBlock(Eigen::Index size, Eigen::Index columns) {
+  const Eigen::VectorXd all = startVector(size * columns);
+  return Eigen::Map<const Eigen::MatrixXd>(all.data(), size, columns);
+}
+
+// `count` pairs of lowest lambda by block Lanczos; nothing where they do not converge to what is good enough
+// for a rough search, where all of them are zero, of which a block finds as many as it has vectors, or memory
+// is short.
+std::optional<EigenSearch> roughSearch(const ShiftedPencil& pencil, Eigen::Index count) {
+  const Eigen::Index size = pencil.heavyCount(), mostVectors = 2 * count + kBlocksBeyond * kBlockSize;
+  const uint64_t memory = sizeof(double) * static_cast<uint64_t>(pencil.unknownCount()) *
+                          static_cast<uint64_t>(mostVectors + kWorkBlocks * kBlockSize);
+  if (mostVectors > size || memory > memoryLeft()) return std::nullopt;
+  pencil.job().begin(Phase::Solve);
+  const BlockLanczosPairs pairs =
+      blockLanczos(pencil, startBlock(size, kBlockSize), {count, count, kRoughInverseResidual, mostVectors});
+  if (!pairs.hasConverged) return std::nullopt;
+  EigenSearch search{{pairs.lambda, pencil.expand(pairs.phi)}, pairs.inverseResidual};
+  if (zeroPairs(search, pencil.shift()) == count) return std::nullopt;
+  return search;
+}
+
 // Up to `count` pairs of lowest lambda that are orthogonal to the columns of `known` (heavy unknowns only).
 EigenSearch lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, int count, bool isRough) {
+  if (isRough && known.cols() == 0)
+    if (std::optional<EigenSearch> search = roughSearch(pencil, count)) return *std::move(search);
   pencil.job().begin(Phase::Solve);
   const auto size = static_cast<int>(pencil.heavyCount());
   const int wanted = std::min(count, size - 1), basis = std::min(size, wanted + kBasisBeyond);
@@ -106,8 +137,11 @@ double relativeError(const ShiftedPencil& pencil, const EigenSearch& search, Eig
                   search.inverseResidual[k] / kGoodInverseResidual);
 }
 
-// Iterates until the wanted pairs have converged or hardly improve any more.
+// Iterates until the wanted pairs have converged or hardly improve any more. Pairs with known residuals are
+// those of roughSearch, which have converged, but for massless unknowns.
 void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& options) {
+  const bool haveConverged = search.inverseResidual.size() == search.phi.cols();
+  if (haveConverged && pencil.masslessAreZero()) return;
   double before = HUGE_VAL;
   for (int step = 0; step < kRefinements; ++step) {
     inverseIterate(pencil, search);

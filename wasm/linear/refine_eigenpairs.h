@@ -20,6 +20,7 @@ struct RefineOptions {
   int spareCount = 0;                  // the last so many of them may still be inexact
   int largestStepCount = 4;            // >= 1
   bool residuals = true;               // whether EigenSolution::residual is wanted
+  bool isProved = true;                // of refineLowestEigenpairs: that no pair is missing
   std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
   std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
 };
@@ -31,9 +32,11 @@ struct RefineOptions {
 EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                const RefineOptions& options, Job& job);
 
-// The same by block Lanczos and with a proof: nothing where a pair that has to be exact has not converged,
-// where inertia counts another eigenvalue among these, where no pair is spare, or where memory is short.
-// Takes another factorisation. `largestStepCount` and `admit` are not read.
+// The same by block Lanczos, which takes fewer steps, and with a proof: nothing where a pair that has to be
+// exact has not converged, where inertia counts another eigenvalue among these, where no pair is spare, or
+// where memory is short. The proof takes another factorisation. Vectors are as exact as their eigenvalues in
+// the mass, not in their energies: they keep more of what is rough in `start`. `largestStepCount` and `admit`
+// are not read.
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job);
 

@@ -30,9 +30,10 @@ class ShiftedPencil {
   Eigen::MatrixXd inverseStep(const Eigen::MatrixXd& phi) const;
 
   // Vectors over all unknowns from M^1/2 times their heavy part, and back. `expand` sets massless unknowns to
-  // 0.
+  // 0: eigenvectors are whole then where `masslessAreZero`, as clamped unknowns are, which no other meets.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& heavy) const;
   Eigen::MatrixXd restrict(const Eigen::MatrixXd& phi) const;
+  bool masslessAreZero() const { return masslessAreZero_; }
 
   // |K phi - lambda M phi| / (lambda |M phi|).
   double residual(double lambda, const Eigen::VectorXd& phi) const;
@@ -58,7 +59,8 @@ class ShiftedPencil {
   Job& job_;
   double sigma_ = 0;
   std::vector<Eigen::Index> heavy_;
-  Eigen::VectorXd rootMass_;  // square roots of M's entries, of the heavy unknowns
+  bool masslessAreZero_ = true;  // in every eigenvector
+  Eigen::VectorXd rootMass_;     // square roots of M's entries, of the heavy unknowns
 };
 
 }  // namespace limber

@@ -138,8 +138,10 @@ ModeBasis SolverVibration::follow(std::span<const double> factors, const ModeBas
 EigenSolution SolverVibration::solveFrom(const ModeBasis& start, std::span<const double> factors, int count,
                                          Job& job) const {
   const SparsePencil pencil = pencilOf(factors);
+  RefineOptions options = refineOptionsFor(start, count);
+  options.isProved = setting_.pinned.empty();
   std::optional<EigenSolution> refined =
-      refineLowestEigenpairs(pencil, startFor(pencil, start), refineOptionsFor(start, count), job);
+      refineLowestEigenpairs(pencil, startFor(pencil, start), options, job);
   return refined ? *std::move(refined) : solve(factors, count, start.lambda[0], job);
 }
 

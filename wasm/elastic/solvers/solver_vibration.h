@@ -34,7 +34,9 @@ class SolverVibration {
   // motions without resistance.
   EigenSolution solve(std::span<const double> factors, int count, double scale, Job& job) const;
   // The same where `start` has modes of a body much like this one, more than `count`. These are refined, and
-  // where that does not give the lowest modes, the search is from scratch.
+  // where that does not give the lowest modes, the search is from scratch. That none is missing is proved
+  // where nothing is pinned: it takes another factorisation. For eigenvalues and for inner products in the
+  // mass.
   EigenSolution solveFrom(const ModeBasis& start, std::span<const double> factors, int count, Job& job) const;
   // Refines modes of nearly the same factors and masses, by inverse iteration; finds the modes that the start
   // approximates. `count` of them are exact; as many are returned as the start has.

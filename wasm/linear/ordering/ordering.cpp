@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "linear/ordering/minimum_degree.h"
 #include "linear/ordering/separator.h"
 
@@ -11,6 +12,9 @@ namespace limber {
 namespace {
 
 constexpr size_t kLeafNodes = 10;  // heavy nodes: sets of no more are not cut any further
+// The halves of a set are cut at the same time if it has so many heavy nodes, and this share of them all,
+// because each half takes memory of the size of the graph.
+constexpr size_t kNodesApart = 4000, kShareApart = 16;
 constexpr uint32_t kNone = UINT32_MAX;
 
 // A separator, or a leaf: a remainder that is not cut any further.
@@ -20,6 +24,17 @@ struct DissectionBlock {
   uint32_t depth = 0;
   bool isLeaf = false;
 };
+
+// Adds the blocks of another dissection, whose roots become children of `parent`.
+void append(std::vector<DissectionBlock>& blocks, std::vector<DissectionBlock> others, uint32_t parent) {
+  const auto first = static_cast<uint32_t>(blocks.size());
+  const uint32_t depth = blocks[parent].depth + 1;
+  for (DissectionBlock& block : others) {
+    block.parent = block.parent == kNone ? parent : block.parent + first;
+    block.depth += depth;
+    blocks.push_back(std::move(block));
+  }
+}
 
 // Cuts a graph into blocks; parents precede their children.
 class Dissector {
@@ -51,8 +66,20 @@ class Dissector {
     blocks_.push_back({isLeaf ? std::move(nodes) : std::move(half[Between]), parent, depth, isLeaf});
     if (isLeaf) return;
     nodes = {};
+    const size_t size = half[Left].size() + half[Right].size();
+    if (size >= std::max<size_t>(kNodesApart, graph_.nodeCount() / kShareApart))
+      return divideApart(half, block);
     divide(std::move(half[Left]), block, depth + 1);
     divide(std::move(half[Right]), block, depth + 1);
+  }
+
+  // Both halves at the same time, each by a dissector of its own.
+  void divideApart(std::vector<uint32_t> (&half)[3], uint32_t parent) {
+    std::vector<DissectionBlock> found[2];
+    parallelFor(2, 1, [&](size_t begin, size_t) {
+      found[begin] = Dissector(graph_, job_).run(std::move(half[begin == 0 ? Left : Right]));
+    });
+    for (std::vector<DissectionBlock>& blocks : found) append(blocks_, std::move(blocks), parent);
   }
 
   // Splits nodes into connected pieces, ordered by the first node of each.

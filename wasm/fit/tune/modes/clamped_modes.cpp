@@ -5,15 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "elastic/followed_modes.h"
 #include "linear/eigensolver.h"
 #include "transfer/shape_transfer.h"
 
 namespace limber {
 namespace {
 
-// The modes of an original with more vertices are refined from those of the result: a few solves for all of
-// them at once, where a search takes a hundred of one each. That none is missing is proved of the free ones,
-// on which most depends; it takes another factorisation.
+// The modes of an original with more vertices are refined from those of the result.
 constexpr uint32_t kRefinedVertices = 3000;
 constexpr int kMargin = 8;  // extra modes of the result, as the order of modes may differ
 
@@ -61,8 +60,9 @@ EigenSolution PartModesPair::find(int rigidMotions, const Find& find) {
 
 void PartModesPair::solveResult(double scale, Job& job) {
   const std::vector<double> factors = ones(pair_->result);
-  // Asked first, because no search converges to one of hundreds of motions without resistance.
-  if (result_.countNoise(factors, job) > 0) {
+  // Asked first, because no search converges to one of hundreds of motions without resistance. Pins leave
+  // none that the free body has not.
+  if (result_.pinned().empty() && result_.countNoise(factors, job) > 0) {
     status_ = FrequencyStatus::NoResistance;
     return;
   }
@@ -78,11 +78,10 @@ EigenSolution PartModesPair::originalModes(Job& job) const {
   if (pair_->original.mesh.vertexCount() <= kRefinedVertices)
     return original_.solve(factors, count_, firstEigenvalue(), job);
   const Eigen::Index rows = 3 * static_cast<Eigen::Index>(pair_->result.mesh.vertexCount());
-  const ModeBasis start{modes_.lambda, transfer(modes_.phi.topRows(rows), pair_->result.mesh, pair_->points)};
-  if (original_.rigidMotionCount() > 0) return original_.solveFrom(start, factors, count_, job);
-  EigenSolution clamped;
-  clamped.basis = original_.follow(factors, start, count_, job);
-  return clamped;
+  const Eigen::Index count = std::min<Eigen::Index>(modes_.modeCount(), count_ + kSpareModes);
+  const ModeBasis start{modes_.lambda.head(count),
+                        transfer(modes_.phi.topLeftCorner(rows, count), pair_->result.mesh, pair_->points)};
+  return original_.solveFrom(start, factors, count_, job);
 }
 
 void PartModesPair::solveOriginal(Job& job) {

@@ -44,7 +44,7 @@ GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constrai
     const Eigen::Vector2d gradient = jacobian.transpose() * residual + drawn * x;
     const Eigen::Vector2d next =
         (x - normal.ldlt().solve(gradient)).cwiseMax(-kFactorRange).cwiseMin(kFactorRange);
-    const double step = (next - x).cwiseAbs().maxCoeff();
+    if ((next - x).cwiseAbs().maxCoeff() < kSettled) break;
     x = next;
     const GlobalFactors factors{std::exp(x[0]), std::exp(x[1])};
     problem.moveTo(factorsOf(factors, constraints), job);
@@ -57,7 +57,6 @@ GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constrai
     } else if (++worseRounds == kWorseRounds) {
       break;
     }
-    if (step < kSettled) break;
   }
   const std::vector<double> all = factorsOf(best, constraints);
   if (problem.factors() != all) problem.moveTo(all, job);
