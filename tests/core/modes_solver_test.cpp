@@ -67,6 +67,23 @@ TEST(EliminationOrder, takesEveryNodeOfAMeshWhoseVerticesAreAllNeighbours) {
   }
 }
 
+// Sets of thousands of nodes are cut on several threads.
+TEST(EliminationOrder, isTheSameForAnyNumberOfThreads) {
+  const TriangleMesh mesh = shapes::grid(80, 80);
+  const NodeGraph graph = nodeGraph(shellPattern(mesh, buildTopology(mesh)));
+  Job job;
+  const std::vector<uint32_t> expected = eliminationOrder(graph, job);
+  std::vector<uint32_t> sorted = expected;
+  std::ranges::sort(sorted);
+  EXPECT_EQ(std::ranges::adjacent_find(sorted), sorted.end());
+  EXPECT_EQ(sorted.size(), graph.nodeCount());
+  for (const int threads : {2, 3}) {
+    setThreadCount(threads);
+    EXPECT_EQ(eliminationOrder(graph, job), expected) << threads;
+  }
+  setThreadCount(1);
+}
+
 TEST(Factorisation, countsTheNonzerosThatAnEliminationLeaves) {
   // Compared with a symbolic elimination of the matrix, entry by entry, in the order of the factorisation.
   const SparsePencil pencil = shellOf(shapes::torus(12, 7));

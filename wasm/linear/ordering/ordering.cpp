@@ -12,9 +12,9 @@ namespace limber {
 namespace {
 
 constexpr size_t kLeafNodes = 10;  // heavy nodes: sets of no more are not cut any further
-// The halves of a set are cut at the same time if it has so many heavy nodes, and this share of them all,
+// The halves of a set are cut at the same time if it has so many heavy nodes, and one in so many of them all,
 // because each half takes memory of the size of the graph.
-constexpr size_t kNodesApart = 4000, kShareApart = 16;
+constexpr size_t kNodesApart = 4000, kOneInApart = 16;
 constexpr uint32_t kNone = UINT32_MAX;
 
 // A separator, or a leaf: a remainder that is not cut any further.
@@ -67,7 +67,7 @@ class Dissector {
     if (isLeaf) return;
     nodes = {};
     const size_t size = half[Left].size() + half[Right].size();
-    if (size >= std::max<size_t>(kNodesApart, graph_.nodeCount() / kShareApart))
+    if (size >= std::max<size_t>(kNodesApart, graph_.nodeCount() / kOneInApart))
       return divideApart(half, block);
     divide(std::move(half[Left]), block, depth + 1);
     divide(std::move(half[Right]), block, depth + 1);
