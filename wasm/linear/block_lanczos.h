@@ -5,6 +5,9 @@
 
 namespace limber {
 
+// Blocks of vectors that live beside the basis.
+inline constexpr Eigen::Index kBlocksBesideBasis = 3;
+
 struct BlockLanczosOptions {
   Eigen::Index pairs;        // of the lowest eigenvalues to return, >= exact
   Eigen::Index exact;        // so many of them have to converge, >= 1

@@ -24,7 +24,6 @@ constexpr int kBasisBeyond = 24;  // Lanczos vectors in addition to the wanted p
 constexpr int kLanczosRestarts = 100;
 // Of block Lanczos in a rough search: vectors of a block, and blocks beyond two vectors for each pair.
 constexpr Eigen::Index kBlockSize = 16, kBlocksBeyond = 8;
-constexpr Eigen::Index kWorkBlocks = 3;  // of a step
 constexpr double kLanczosTolerance = 1e-10;
 constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, where solved densely
 // A shift within these multiples of the first positive eigenvalue is good enough: Lanczos converges well, and
@@ -87,13 +86,13 @@ Eigen::MatrixXd startBlock(Eigen::Index size, Eigen::Index columns) {
   return Eigen::Map<const Eigen::MatrixXd>(all.data(), size, columns);
 }
 
-// `count` pairs of lowest lambda by block Lanczos; nothing where they do not converge to what is good enough
-// for a rough search, where all of them are zero, of which a block finds as many as it has vectors, or memory
-// is short.
+// `count` pairs of lowest lambda by block Lanczos, as exact as a rough search needs. Nothing where they do
+// not converge, where memory is short, or where all of them are zero: of a repeated zero a block finds as
+// many copies as it has vectors, and none of the pairs above.
 std::optional<EigenSearch> roughSearch(const ShiftedPencil& pencil, Eigen::Index count) {
   const Eigen::Index size = pencil.heavyCount(), mostVectors = 2 * count + kBlocksBeyond * kBlockSize;
   const uint64_t memory = sizeof(double) * static_cast<uint64_t>(pencil.unknownCount()) *
-                          static_cast<uint64_t>(mostVectors + kWorkBlocks * kBlockSize);
+                          static_cast<uint64_t>(mostVectors + kBlocksBesideBasis * kBlockSize);
   if (mostVectors > size || memory > memoryLeft()) return std::nullopt;
   pencil.job().begin(Phase::Solve);
   const BlockLanczosPairs pairs =

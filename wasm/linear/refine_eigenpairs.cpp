@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kBlocksOfRefinement = 4;  // of vectors that live at the same time
 constexpr int kBlocksOfLanczos = 6;     // of its basis, at most
-constexpr int kOtherBlocks = 3;         // that live beside that basis
 
 // An estimate of the relative error of eigenvalues: the smaller of their last change and the square of the
 // inverse residual, as the error of an eigenvector enters its eigenvalue squared.
@@ -26,10 +25,10 @@ double errorOf(const EigenSearch& search, const Eigen::VectorXd& before, Eigen::
 }
 
 // The vectors over all unknowns. Massless ones that are not 0 take another step of inverse iteration.
-EigenSearch wholePairs(const ShiftedPencil& pencil, const BlockLanczosPairs& pairs, double shift) {
+EigenSearch wholePairs(const ShiftedPencil& pencil, const BlockLanczosPairs& pairs) {
   Eigen::MatrixXd phi = pencil.expand(pairs.phi);
   if (!pencil.masslessAreZero())
-    phi = pencil.inverseStep(phi) * (pairs.lambda.array() - shift).matrix().asDiagonal();
+    phi = pencil.inverseStep(phi) * (pairs.lambda.array() - pencil.shift()).matrix().asDiagonal();
   return {{pairs.lambda, std::move(phi)}, pairs.inverseResidual};
 }
 
@@ -74,14 +73,14 @@ std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, 
   ShiftedPencil shifted(pencil, options.structure, job);
   const Eigen::Index columns = start.cols(), exact = columns - options.spareCount;
   const Eigen::Index mostVectors = std::min(kBlocksOfLanczos * columns, shifted.heavyCount());
-  if (shifted.memoryWith(static_cast<int>(mostVectors + kOtherBlocks * columns)) > memoryLeft())
+  if (shifted.memoryWith(static_cast<int>(mostVectors + kBlocksBesideBasis * columns)) > memoryLeft())
     return std::nullopt;
   shifted.shiftTo(options.shift);
   job.begin(Phase::Solve);
   const BlockLanczosPairs pairs = blockLanczos(shifted, shifted.restrict(start),
                                                {columns, exact, std::sqrt(options.tolerance), mostVectors});
   if (!pairs.hasConverged) return std::nullopt;
-  const EigenSearch search = wholePairs(shifted, pairs, options.shift);
+  const EigenSearch search = wholePairs(shifted, pairs);
   if (options.isProved && missingPairs(shifted, search, exact - 1) != 0) return std::nullopt;
   return solutionOf(shifted, search, options);
 }

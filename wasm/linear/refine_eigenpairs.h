@@ -32,11 +32,11 @@ struct RefineOptions {
 EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                const RefineOptions& options, Job& job);
 
-// The same by block Lanczos, which takes fewer steps, and with a proof: nothing where a pair that has to be
-// exact has not converged, where inertia counts another eigenvalue among these, where no pair is spare, or
-// where memory is short. The proof takes another factorisation. Vectors are as exact as their eigenvalues in
-// the mass, not in their energies: they keep more of what is rough in `start`. `largestStepCount` and `admit`
-// are not read.
+// The same by block Lanczos, which takes fewer steps: nothing where a pair that has to be exact has not
+// converged, where no pair is spare, or where memory is short. With `isProved` also nothing where inertia
+// counts another eigenvalue among these, which takes another factorisation. Vectors are as exact as their
+// eigenvalues in the mass, not in their energies: they keep more of what is rough in `start`.
+// `largestStepCount` and `admit` are not read.
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job);
 

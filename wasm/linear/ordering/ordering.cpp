@@ -12,8 +12,8 @@ namespace limber {
 namespace {
 
 constexpr size_t kLeafNodes = 10;  // heavy nodes: sets of no more are not cut any further
-// The halves of a set are cut at the same time if it has so many heavy nodes, and one in so many of them all,
-// because each half takes memory of the size of the graph.
+// Two halves are cut at the same time if they have at least so many heavy nodes together, and at least this
+// fraction (one in kOneInApart) of the graph's, because each half takes memory of the size of the graph.
 constexpr size_t kNodesApart = 4000, kOneInApart = 16;
 constexpr uint32_t kNone = UINT32_MAX;
 
