@@ -49,7 +49,7 @@ const browserWorker = (folder) =>
   bundle(
     folder,
     { worker: source('library', 'work', 'browser_main.ts') },
-    { entryFileNames: 'worker.mjs', codeSplitting: false },
+    { entryFileNames: 'worker.js', codeSplitting: false },
     { build: { minify: true, assetsInlineLimit: Infinity, modulePreload: false } },
   );
 
@@ -93,16 +93,16 @@ function payloadOf(assets) {
   const read = (name) => readFileSync(join(assets, name));
   const core = (build) => {
     const wasm = packed(read(`limber-${build}.wasm`));
-    const glue = packed(startedFromBlob(read(`limber-${build}.mjs`).toString()));
+    const glue = packed(startedFromBlob(read(`limber-${build}.js`).toString()));
     return `export const glue = '${glue}';\nexport const wasm = '${wasm}';\n`;
   };
-  const worker = `export default '${packed(read('worker.mjs'))}';\n`;
+  const worker = `export default '${packed(read('worker.js'))}';\n`;
   return { worker, single: core('single'), threads: core('threads') };
 }
 
 /** The glue of Emscripten starts its threads from a file beside it, which a blob has not: they start from the blob itself. */
 function startedFromBlob(glue) {
-  const own = 'new URL(`limber-threads.mjs`,import.meta.url)';
+  const own = 'new URL(`limber-threads.js`,import.meta.url)';
   if (glue.includes('PThread') && !glue.includes(own))
     throw new Error(`The glue of the core does not have ${own}: scripts/package/bundles.mjs has to follow.`);
   return glue.replaceAll(own, 'import.meta.url');

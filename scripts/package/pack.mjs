@@ -9,7 +9,7 @@ import { copyDeclarations } from './declarations.mjs';
 import { manifestOf } from './manifest.mjs';
 import { notices } from './notices.mjs';
 
-const CORE = ['single', 'threads'].flatMap((build) => [`limber-${build}.mjs`, `limber-${build}.wasm`]);
+const CORE = ['single', 'threads'].flatMap((build) => [`limber-${build}.js`, `limber-${build}.wasm`]);
 
 /** Writes the package into `folder`, which is emptied first. */
 export async function writePackage(folder) {

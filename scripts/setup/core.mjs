@@ -42,6 +42,6 @@ export function buildWasm(setup, builds = WASM_BUILDS) {
     copyFileSync(join(folders.build, preset, `${name}.wasm`), join(target, `${name}.wasm`));
     // Emscripten itself shortens names only where its Closure compiler is installed.
     const minify = join(root, 'scripts', 'setup', 'minify.mjs');
-    run(process.execPath, [minify, join(folders.build, preset, `${name}.mjs`), join(target, `${name}.mjs`)]);
+    run(process.execPath, [minify, join(folders.build, preset, `${name}.js`), join(target, `${name}.js`)]);
   }
 }

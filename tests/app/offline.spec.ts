@@ -74,6 +74,19 @@ test('a host that shows no index.html for a folder, and knows no type of the cor
   expect((await saveGlb(page)).length).toBeGreaterThan(1000);
 });
 
+test('without a service worker too the core starts from a host that knows no type of its files', async ({
+  browser,
+}) => {
+  const plain = await startHost('app', true);
+  const context = await browser.newContext({ serviceWorkers: 'block' });
+  const page = await context.newPage();
+  await page.goto(`${plain.address}index.html`);
+  await expect(page.getByText('1 thread', { exact: true })).toBeVisible();
+  await reduceSheet(page);
+  await context.close();
+  await plain.close();
+});
+
 test(
   'a part that is gone from the host is said, and a reload brings the work back',
   { tag: '@full' },

@@ -60,7 +60,7 @@ function measureSizes() {
   const index = readFileSync(join(folder, 'index.html'), 'utf8');
   const first = ['index.html', ...assets.filter((name) => index.includes(name))];
   const [version] = readdirSync(join(folder, 'wasm'));
-  const core = ['limber-threads.wasm', 'limber-threads.mjs'].map((name) => `wasm/${version}/${name}`);
+  const core = ['limber-threads.wasm', 'limber-threads.js'].map((name) => `wasm/${version}/${name}`);
   const size = (names) =>
     names.reduce((sum, name) => sum + brotliCompressSync(readFileSync(join(folder, name))).length, 0);
   add('page, compressed', `${(size(first) / 1000).toFixed(0)} kB`, '300 kB');

@@ -7,7 +7,7 @@ import { expect, it } from 'vitest';
 import { coreFolder } from '../../scripts/page/core_folder.mjs';
 import { coreFolder as coreAddress } from '../../web/app/worker/core_folder';
 
-const FILES = ['limber-single.mjs', 'limber-single.wasm'];
+const FILES = ['limber-single.js', 'limber-single.wasm'];
 
 /** Builds a page of a core of these bytes; returns the address of the core, and its folder. */
 function build(bytes: string): { address: string; folder: string } {

@@ -71,9 +71,9 @@ describe('the tarball', () => {
   it('has the programs, the core, declarations, schemas and notices, and nothing else, in less than 5 MB', () => {
     const names = listFiles(packed);
     const allowed =
-      /^((cli|node|shared|browser)\/[\w-]+(\.module)?\.mjs|assets\/(worker|limber-(single|threads))\.(mjs|wasm)|types\/[\w/]+\.d\.ts|schemas\/(report|settings|batch)\.schema\.json|(limber\.1|package\.json|README\.md|LICENSE|THIRD-PARTY-NOTICES\.md))$/;
+      /^((cli|node|shared|browser)\/[\w-]+(\.module)?\.mjs|assets\/(worker|limber-(single|threads))\.(js|wasm)|types\/[\w/]+\.d\.ts|schemas\/(report|settings|batch)\.schema\.json|(limber\.1|package\.json|README\.md|LICENSE|THIRD-PARTY-NOTICES\.md))$/;
     expect(names.filter((name) => !allowed.test(name))).toEqual([]);
-    for (const name of ['cli/limber.mjs', 'assets/limber-threads.wasm', 'assets/worker.mjs', 'LICENSE'])
+    for (const name of ['cli/limber.mjs', 'assets/limber-threads.wasm', 'assets/worker.js', 'LICENSE'])
       expect(names).toContain(name);
     expect(statSync(tarball).size).toBeLessThan(5e6);
   });
@@ -311,7 +311,7 @@ describe('in browsers', () => {
     const cure = 'serve all files of limber/assets, of this version and unchanged, from its folder.';
     const address = 'http://localhost:\\d+/limber/';
     expect((await asked()).error).toMatch(
-      new RegExp(`^LimberError: ${address}worker.mjs cannot be started: ${cure}$`),
+      new RegExp(`^LimberError: ${address}worker.js cannot be started: ${cure}$`),
     );
     cpSync(join(packed, 'assets'), join(out, 'limber'), { recursive: true });
     rmSync(join(out, 'limber', 'limber-single.wasm'));

@@ -49,7 +49,7 @@ function findWasm(): string {
   const folders = ['../assets/', ...foldersOfPage(), '../../public/wasm/'].map(
     (folder) => new URL(folder, import.meta.url),
   );
-  const found = folders.find((folder) => existsSync(new URL('limber-single.mjs', folder)));
+  const found = folders.find((folder) => existsSync(new URL('limber-single.js', folder)));
   if (!found) throw new UsageError('The WebAssembly core is missing: run npm run build.');
   return found.href;
 }

@@ -39,7 +39,7 @@ function fromFolder(assets: string): [string, CoreAddress] {
   // A caller that was started from a blob has no folder.
   const base = protocol === 'blob:' ? globalThis.origin : href;
   const folder = new URL(assets.endsWith('/') ? assets : `${assets}/`, base).href;
-  return [new URL('worker.mjs', folder).href, { wasmFolder: folder }];
+  return [new URL('worker.js', folder).href, { wasmFolder: folder }];
 }
 
 /** Kept by the page: a worker that is started again needs them again. */
@@ -59,7 +59,7 @@ async function makeBlobs(build: Build): Promise<[string, CoreAddress]> {
   const [worker, glue] = [program, texts.glue].map((text) => addressOf(unpacked(text), 'text/javascript'));
   const wasm = addressOf(unpacked(texts.wasm), 'application/wasm');
   const addresses = {
-    [`limber-${build}.mjs`]: await glue,
+    [`limber-${build}.js`]: await glue,
     [`limber-${build}.wasm`]: await wasm,
   };
   return [await worker, { wasmFolder: '', addresses }];

@@ -59,7 +59,7 @@ export interface Core
 export interface CoreOptions {
   /** 0: min(cores, 8); 1 loads the one-thread build */
   threads: number;
-  /** the address of the folder with limber-threads.mjs and limber-single.mjs, with a final slash */
+  /** the address of the folder with limber-threads.js and limber-single.js, with a final slash */
   wasmFolder: string;
   /** addresses of files of the core that are not in the folder, by name */
   addresses?: Readonly<Record<string, string>>;

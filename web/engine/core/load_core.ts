@@ -39,7 +39,7 @@ export async function loadCore(options: CoreOptions): Promise<Core> {
   const name = threads > 1 ? 'limber-threads' : 'limber-single';
   const locateFile = (file: string): string =>
     options.addresses?.[file] ?? new URL(file, options.wasmFolder).href;
-  const address = locateFile(`${name}.mjs`);
+  const address = locateFile(`${name}.js`);
   const { default: createModule } = (await import(/* @vite-ignore */ address)) as { default: CreateModule };
   const { wasmMemory, heapLimit } = reserveMemory(options.memory ?? LARGEST_HEAP, threads > 1);
   const module = await createModule({ threadCount: threads, locateFile, wasmMemory });
