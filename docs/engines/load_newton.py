@@ -1,11 +1,19 @@
 """Adds cloth to a ModelBuilder of Newton 1.8 from a settings file of `limber --solver newton`.
 
     settings = json.load(open("horse.settings.json"))
-    builder = newton.ModelBuilder()
-    add_newton_cloth(builder, settings["bodies"][0])
+    body = settings["bodies"][0]
+    builder = newton.ModelBuilder(up_axis=newton.Axis.Y)
+    add_newton_cloth(builder, settings)
     builder.color(include_bending=True)
     model = builder.finalize()
-    solver = newton.solvers.SolverVBD(model, iterations=20)
+    model.soft_contact_mu = body["friction"]
+    touch = body["selfCollisionDistance"]
+    solver = newton.solvers.SolverVBD(
+        model, iterations=int(body["engine"]["iterations"]), particle_enable_self_contact=True,
+        particle_self_contact_margin=touch, particle_self_contact_gap=touch / 2)
+
+Then, for a frame of 1/60 s, call solver.step body["substeps"] times with 1 / 60 / body["substeps"] s: with longer steps VBD
+makes cloth far too soft.
 """
 
 import newton
@@ -13,8 +21,14 @@ import numpy as np
 import warp as wp
 
 
-def add_newton_cloth(builder, body):
-    """Adds one body of the file; returns the index of its first particle. Vertex v is particle first + v."""
+def add_newton_cloth(builder, settings, index=0):
+    """Adds one body of the file; returns the index of its first particle. Vertex v of its `mesh` is particle first + v, in metres,
+    with the axes of the file, where y is up.
+
+    Raises ValueError where the file is of another solver."""
+    if settings["solver"] != "newton":
+        raise ValueError(f"this settings file is for {settings['solver']}: write one with --solver newton")
+    body = settings["bodies"][index]
     unit, engine = body.get("unit", 1), body["engine"]
     positions = unit * np.array(body["mesh"]["positions"]).reshape(-1, 3)
     first, first_triangle, first_edge = builder.particle_count, builder.tri_count, builder.edge_count
@@ -31,20 +45,35 @@ def add_newton_cloth(builder, body):
     for v in body["pins"]:
         builder.particle_mass[first + v] = 0.0
         builder.particle_flags[first + v] &= ~int(newton.ParticleFlags.ACTIVE)
-    scale_constraints(builder, body, first, first_triangle, first_edge)
+    scale_triangles(builder, body, first_triangle)
+    scale_hinges(builder, body, first, first_edge)
     return first
 
 
-def scale_constraints(builder, body, first, first_triangle, first_edge):
-    """Factors of single triangles and hinges, where the file has them (--tune constraint)."""
-    for t, factor in enumerate(body["stretch"].get("factors", [])):
+def scale_triangles(builder, body, first_triangle):
+    """Factors of single triangles, where the file has them (--tune constraint or vertex)."""
+    factors = factors_of(body, "stretch", np.array(body["mesh"]["triangles"]).reshape(-1, 3))
+    for t, factor in enumerate([] if factors is None else factors.tolist()):
         ke, ka, *others = builder.tri_materials[first_triangle + t]
         builder.tri_materials[first_triangle + t] = (ke * factor, ka * factor, *others)
-    if not body["bend"].get("factors"):
+
+
+def scale_hinges(builder, body, first, first_edge):
+    """Factors of single hinges, likewise."""
+    hinges = np.array(body["bend"]["hinges"]).reshape(-1, 4)
+    factors = factors_of(body, "bend", hinges)
+    if factors is None:
         return
-    ends = np.array(body["bend"]["hinges"]).reshape(-1, 4)[:, :2] + first
-    factor = {tuple(sorted(pair)): value for pair, value in zip(ends.tolist(), body["bend"]["factors"])}
+    factor = {tuple(sorted(pair)): value for pair, value in zip((hinges[:, :2] + first).tolist(), factors.tolist())}
     for e in range(first_edge, builder.edge_count):
         ke, kd = builder.edge_bending_properties[e]
         own = factor.get(tuple(sorted(int(v) for v in builder.edge_indices[e][2:4])), 1.0)
         builder.edge_bending_properties[e] = (ke * own, kd)
+
+
+def factors_of(body, kind, vertices):
+    """A factor for each constraint on its `vertices`: its own, or the mean of its vertices'. None where there are none."""
+    if body[kind].get("factors"):
+        return np.array(body[kind]["factors"])
+    field = body.get("vertex", {}).get(kind)
+    return np.array(field)[vertices].mean(axis=1) if field else None

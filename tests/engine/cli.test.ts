@@ -567,6 +567,10 @@ describe('a wrong command line', () => {
       '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
     ],
     ['simulate torus.obj --bind a.json', '--bind carries pins over to B, which is missing: name both files.'],
+    [
+      'tune torus.obj torus.obj --solver jolt --settings s.json --engine compliance',
+      '--engine compliance is neither name=value nor a file: give name=value with commas between.',
+    ],
     ['simulate torus.obj torus.obj --bind none.json', 'none.json cannot be read: there is no such file.'],
     ['compare torus.obj two.obj', 'torus.obj has 1 body and two.obj has 2: compare one with --mesh NAME.'],
     [

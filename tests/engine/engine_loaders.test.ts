@@ -8,7 +8,9 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import initJolt from 'jolt-physics';
 import { afterAll, describe, expect, it } from 'vitest';
+import { joltSoftBody } from '../../docs/engines/load_jolt.mjs';
 
 const repository = new URL('../../', import.meta.url).pathname;
 const bench = join(repository, 'tests', 'bench', 'engines');
@@ -23,20 +25,29 @@ const PLACES = [0, 0, 0, 1, 0, 0, 0.5, -0.8, 0, 0.4, 0.9, 0];
 const [LENGTH, HEIGHT, AREAS] = [1, 0.9, (0.9 + 0.8) / 2];
 const MASS = 0.2;
 
-function settingsOf(engine: object, bend: number, stretch: object = {}): object {
+interface Settings {
+  schema: string;
+  solver: string;
+  bodies: {
+    bend: { constant: number; hinges: number[]; factors?: number[] };
+    vertex?: { stretch: number[]; bend: number[] };
+  }[];
+}
+
+function settingsOf(solver: string, engine: object, bend: number): Settings {
   const body = {
     name: 'flap',
     level: 0,
     unit: UNIT,
     mesh: { positions: PLACES.map((x) => x / UNIT), triangles: [0, 1, 3, 1, 0, 2] },
     mass: { rule: 'area', perVertex: [0.5, 0.5, 0.5, MASS] },
-    stretch: { constant: 500, pairs: [0, 1, 1, 3, 0, 3, 0, 2, 1, 2], ...stretch },
+    stretch: { constant: 500, pairs: [0, 1, 1, 3, 0, 3, 0, 2, 1, 2] },
     bend: { constant: bend, hinges: [0, 1, 2, 3] },
     pins: [0, 1, 2],
     substeps: 10,
     engine,
   };
-  return { schema: 'limber-settings/1', bodies: [body] };
+  return { schema: 'limber-settings/1', solver, bodies: [body] };
 }
 
 /** Hz, of a flap of mass MASS on a hinge of `stiffness` N m: its moment of inertia is MASS HEIGHT^2. */
@@ -74,16 +85,26 @@ describe('a flap in the engine, loaded from a settings file', () => {
 
   it.skipIf(!python.mujoco)('swings in MuJoCo with the hinge D l^2 / (A1 + A2), within 1 %', () => {
     const stiffness = (plate * LENGTH * LENGTH) / AREAS;
-    const found = flapIn(python.mujoco!, 'mujoco', settingsOf({ young, poisson, thickness }, stiffness));
+    const found = flapIn(
+      python.mujoco!,
+      'mujoco',
+      settingsOf('mujoco', { young, poisson, thickness }, stiffness),
+    );
     expect(Math.abs(found / flapFrequency(stiffness) - 1)).toBeLessThan(0.01);
   });
 
   it.skipIf(!python.mujoco)('takes the factor of a single hinge in MuJoCo', () => {
     const stiffness = (plate * LENGTH * LENGTH) / AREAS;
-    const settings = settingsOf({ young, poisson, thickness }, stiffness) as {
-      bodies: { bend: { factors?: number[] } }[];
-    };
+    const settings = settingsOf('mujoco', { young, poisson, thickness }, stiffness);
     settings.bodies[0].bend.factors = [2.25];
+    const found = flapIn(python.mujoco!, 'mujoco', settings);
+    expect(Math.abs(found / flapFrequency(stiffness) - 1.5)).toBeLessThan(0.015);
+  });
+
+  it.skipIf(!python.mujoco)('takes the map of --tune vertex in MuJoCo: the mean of the hinge', () => {
+    const stiffness = (plate * LENGTH * LENGTH) / AREAS;
+    const settings = settingsOf('mujoco', { young, poisson, thickness }, stiffness);
+    settings.bodies[0].vertex = { stretch: [1, 1, 1, 1], bend: [1, 1, 1, 6] };
     const found = flapIn(python.mujoco!, 'mujoco', settings);
     expect(Math.abs(found / flapFrequency(stiffness) - 1.5)).toBeLessThan(0.015);
   });
@@ -92,8 +113,20 @@ describe('a flap in the engine, loaded from a settings file', () => {
     'swings in Newton with the hinge edge_ke l, within 1 %',
     () => {
       const engine = { tri_ke: 400, tri_ka: 300, edge_ke: 4, density: 1 };
-      const found = flapIn(python.newton!, 'newton', settingsOf(engine, engine.edge_ke));
+      const found = flapIn(python.newton!, 'newton', settingsOf('newton', engine, engine.edge_ke));
       expect(Math.abs(found / flapFrequency(engine.edge_ke * LENGTH) - 1)).toBeLessThan(0.01);
+    },
+    300_000,
+  );
+
+  it.skipIf(!python.newton)(
+    'takes the map of --tune vertex in Newton: the mean of the hinge',
+    () => {
+      const engine = { tri_ke: 400, tri_ka: 300, edge_ke: 4, density: 1 };
+      const settings = settingsOf('newton', engine, engine.edge_ke);
+      settings.bodies[0].vertex = { stretch: [1, 1, 1, 1], bend: [1, 1, 1, 6] };
+      const found = flapIn(python.newton!, 'newton', settings);
+      expect(Math.abs(found / flapFrequency(engine.edge_ke * LENGTH) - 1.5)).toBeLessThan(0.015);
     },
     300_000,
   );
@@ -102,13 +135,35 @@ describe('a flap in the engine, loaded from a settings file', () => {
     'swings in Blender with the torque 0.1 bending l h / 3 in N m, within 5 %',
     () => {
       const engine = { tension: 500, bending: 500, mass: 50, air: 0 };
-      const settings = settingsOf(engine, 0);
+      const settings = settingsOf('blender', engine, 0);
       const found = flapIn(python.blender!, 'blender', settings);
       // Stiffness counts 1000 times in seconds, and every vertex has the mass of the settings.
       const stiffness = (1000 * 0.1 * engine.bending * LENGTH * HEIGHT) / 3;
       const expected = flapFrequency((stiffness * MASS) / engine.mass);
       expect(Math.abs(found / expected - 1)).toBeLessThan(0.05);
+      // By a map, Blender takes the mean of the ends of an edge.
+      settings.bodies[0].vertex = { stretch: [1, 2, 1, 2], bend: [2.25, 2.25, 1, 1] };
+      const mapped = flapIn(python.blender!, 'blender', settings);
+      expect(Math.abs(mapped / found - 1.5)).toBeLessThan(0.05);
     },
+    60_000,
+  );
+
+  const engines = Object.entries(python).filter(([, program]) => program);
+  it.skipIf(engines.length === 0)(
+    'is refused from the file of another solver, with the cure',
+    () => {
+      const file = writtenSettings('other', settingsOf('jolt', {}, 1));
+      for (const [engine, program] of engines) {
+        const found = spawnSync(program!, [join(bench, 'flap.py'), engine, file, String(FLAP)], {
+          encoding: 'utf8',
+        });
+        expect(found.stderr).toContain(
+          `ValueError: this settings file is for jolt: write one with --solver ${engine}`,
+        );
+      }
+    },
+    60_000,
   );
 });
 
@@ -140,14 +195,43 @@ describe('the Jolt loader', () => {
   }
 
   it('makes a flap swing with the frequency of its hinge, within 1 %', () => {
-    const found = frequencyOf(heights(settingsOf({}, stiffness), 10), 1 / 120);
+    const found = frequencyOf(heights(settingsOf('jolt', {}, stiffness), 10), 1 / 120);
     expect(Math.abs(found / flapFrequency(stiffness) - 1)).toBeLessThan(0.01);
   });
 
   it('takes the factors of single constraints', () => {
-    const settings = settingsOf({}, stiffness) as { bodies: { bend: { factors?: number[] } }[] };
+    const settings = settingsOf('jolt', {}, stiffness);
     settings.bodies[0].bend.factors = [4];
     const found = frequencyOf(heights(settings, 10), 1 / 120);
     expect(Math.abs(found / flapFrequency(stiffness) - 2)).toBeLessThan(0.02);
+  });
+
+  it('takes the map of --tune vertex: the mean of the hinge', () => {
+    const settings = settingsOf('jolt', {}, stiffness);
+    settings.bodies[0].vertex = { stretch: [1, 1, 1, 1], bend: [1, 1, 1, 13] };
+    const found = frequencyOf(heights(settings, 10), 1 / 120);
+    expect(Math.abs(found / flapFrequency(stiffness) - 2)).toBeLessThan(0.02);
+  });
+
+  it('scales the iterations to the step, and leaves nothing in the memory of Jolt but the body', async () => {
+    const Jolt = await initJolt();
+    const settings = settingsOf('jolt', {}, stiffness);
+    const made = (step: number): number => {
+      const creation = joltSoftBody(Jolt, settings, { step });
+      const iterations = creation.mNumIterations;
+      Jolt.destroy(creation);
+      return iterations;
+    };
+    expect([1 / 60, 1 / 180, 1 / 30, 1e-6].map(made)).toEqual([10, 4, 20, 1]);
+    const { sGetFreeMemory } = Jolt.JoltInterface.prototype as { sGetFreeMemory(): number };
+    const free = sGetFreeMemory();
+    for (let k = 0; k < 20; k++) made(1 / 60);
+    expect(sGetFreeMemory()).toBe(free);
+  });
+
+  it('refuses the file of another solver, with the cure', () => {
+    expect(() => joltSoftBody(undefined as never, settingsOf('mujoco', {}, 1))).toThrow(
+      /^This settings file is for mujoco: write one with --solver jolt\.$/,
+    );
   });
 });

@@ -179,8 +179,8 @@ describe('what a report says of them', () => {
   it('reads as sentences', () => {
     const { solvers } = solverReport([tunedBody('springs')]).fidelity;
     expect(describeTuning('springs', solvers.springs!)).toEqual([
-      'in Springs the first ten frequencies are off 5.00 % tuned (modes that were not tuned 7.00 %), 40.00 % with your own numbers',
-      'swaying it is 0.40 % of its size away from the original tuned, 1.50 % with your own stiffness and the masses of the original (noise 0.010 %)',
+      "in Springs the first ten frequencies are off by 5.00 % tuned (modes that were not tuned 7.00 %), by 40.00 % with the original's numbers",
+      "when it sways, it is 0.40 % of its size away from the original tuned, 1.50 % with the original's stiffness and masses (noise 0.010 %)",
     ]);
     const { frequencies } = solvers.springs!;
     const motion = {
@@ -191,8 +191,8 @@ describe('what a report says of them', () => {
       kept: 'untouched' as const,
     };
     const [errors, told] = describeTuning('jolt', { frequencies, motion });
-    expect(errors).toMatch(/40\.00 % with your own numbers$/);
-    expect(told).toMatch(/so the file has your own stiffness and those masses$/);
+    expect(errors).toMatch(/by 40\.00 % with the original's numbers$/);
+    expect(told).toMatch(/so the file keeps the original's stiffness and has its masses carried over$/);
     expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not tried');
   });
 

@@ -1,4 +1,4 @@
-/** The user's own parameters of an engine from a file: a JSON object, or lines of name=value. */
+/** The user's own parameters of an engine from a file: a JSON object, lines of name=value, or a settings file's original. */
 
 import { existsSync } from 'node:fs';
 import { excerpt, quotedJson } from '../engine/core/words';
@@ -12,6 +12,10 @@ export const fileOfEngine = (value: string | undefined): string | null =>
 /** The value of --engine as name=value with commas: itself, or the content of the file that it names. */
 export function engineFromFile(value: string): string {
   if (fileOfEngine(value) === null) return value;
+  if (!value.includes('.') && !existsSync(value))
+    throw new UsageError(
+      `--engine ${value} is neither name=value nor a file: give name=value with commas between.`,
+    );
   return engineOfText(value, readText(value));
 }
 
@@ -28,11 +32,19 @@ function textOfJson(file: string, text: string): string {
   } catch {
     throw new UsageError(`${file} is not JSON: give an object of numbers, or lines of name=value.`);
   }
-  const entries = Object.entries(values as object);
+  const entries = Object.entries(originalOf(values as object));
   const wrong = entries.find(([, value]) => typeof value !== 'number');
   if (wrong)
     throw new UsageError(`${file} has ${quotedJson(wrong[1])} for ${excerpt(wrong[0])}: give a number.`);
   return entries.map(([name, value]) => `${name}=${value}`).join(',');
+}
+
+/** What a settings file was tuned to: the numbers of its original, under the names of the engine. Other objects as they are. */
+function originalOf(values: object): object {
+  const { schema, engine, original } = values as Record<string, unknown>;
+  if (typeof schema !== 'string' || !schema.startsWith('limber-settings/')) return values;
+  if (typeof engine !== 'object' || typeof original !== 'object' || !engine || !original) return values;
+  return Object.fromEntries(Object.entries(original).filter(([name]) => name in engine));
 }
 
 /** Lines may end in a comment after #. */

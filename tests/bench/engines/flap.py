@@ -20,12 +20,12 @@ SECONDS = 2.0
 BLENDER_FRAME = 0.001**0.5
 
 
-def flap_in_mujoco(body, vertex):
+def flap_in_mujoco(settings, vertex):
     import mujoco
 
     from load_mujoco import load_mujoco
 
-    model = load_mujoco(body, STEP)
+    model = load_mujoco(settings, timestep=STEP)
     model.opt.gravity[:] = 0
     data = mujoco.MjData(model)
     address = model.body_dofadr[model.flex_vertbodyid[vertex]]
@@ -37,7 +37,7 @@ def flap_in_mujoco(body, vertex):
     return crossings(heights, STEP)
 
 
-def flap_in_newton(body, vertex):
+def flap_in_newton(settings, vertex):
     os.environ.setdefault("WARP_QUIET", "1")
     import newton
     import warp as wp
@@ -46,7 +46,7 @@ def flap_in_newton(body, vertex):
 
     wp.config.quiet = True
     builder = newton.ModelBuilder(gravity=wp.vec3(0.0))
-    vertex += add_newton_cloth(builder, body)
+    vertex += add_newton_cloth(builder, settings)
     builder.color(include_bending=True)
     model = builder.finalize(device="cpu")
     solver = newton.solvers.SolverVBD(model, iterations=10, particle_enable_self_contact=False)
@@ -62,7 +62,7 @@ def flap_in_newton(body, vertex):
     return crossings(heights, STEP)
 
 
-def flap_in_blender(body, vertex):
+def flap_in_blender(settings, vertex):
     import bpy
 
     from load_blender import add_blender_cloth
@@ -70,10 +70,11 @@ def flap_in_blender(body, vertex):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     # A step of gravity: the flap swings about its new balance, and its lowest point is half a period away.
-    scene.gravity = (0, 0, -0.05)
+    # The loader turns the file's z to Blender's -y.
+    scene.gravity = (0, 0.05, 0)
     frames = round(SECONDS / BLENDER_FRAME)
     scene.frame_end = frames
-    cloth = add_blender_cloth(body)
+    cloth = add_blender_cloth(settings)
     cloth.modifiers["Cloth"].point_cache.frame_end = frames
     heights = []
     for frame in range(1, frames + 1):
@@ -99,7 +100,7 @@ def main():
         print(f"{engine} is not installed ({error})", file=sys.stderr)
         sys.exit(3)
     flap = {"mujoco": flap_in_mujoco, "newton": flap_in_newton, "blender": flap_in_blender}[engine]
-    print(json.dumps({"frequency": flap(settings["bodies"][0], int(vertex))}))
+    print(json.dumps({"frequency": flap(settings, int(vertex))}))
 
 
 main()

@@ -28,7 +28,7 @@ function worldSettings() {
   return settings;
 }
 
-const creation = joltSoftBody(Jolt, { ...body, substeps: iterations }, 0);
+const creation = joltSoftBody(Jolt, { solver: 'jolt', bodies: [{ ...body, substeps: iterations }] });
 creation.mAllowSleeping = false;
 const made = bodies.CreateSoftBody(creation);
 bodies.AddBody(made.GetID(), Jolt.EActivation_Activate);

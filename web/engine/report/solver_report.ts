@@ -93,16 +93,18 @@ function describeFrequencies(
   if (errorUntouched === undefined || errorTuned === undefined)
     return `in ${label} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1`;
   const unseen = errorUnseen === undefined ? '' : ` (modes that were not tuned ${percentOf(errorUnseen)})`;
-  return `in ${label} the first ten frequencies are off ${percentOf(errorTuned)} tuned${unseen}, ${percentOf(errorUntouched)} with your own numbers`;
+  return `in ${label} the first ten frequencies are off by ${percentOf(errorTuned)} tuned${unseen}, by ${percentOf(errorUntouched)} with the original's numbers`;
 }
 
 const SCENES: Record<string, string> = {
-  sway: 'swaying',
-  hang: 'hanging',
-  'sway and hang': 'swaying and hanging',
+  sway: 'when it sways,',
+  hang: 'when it hangs,',
+  'sway and hang': 'when it sways and hangs,',
 };
 
 function describeMotion({ scene, untouched, tuned, noiseFloor, kept }: TunedMotion): string {
-  const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original tuned, ${percentOf(untouched)} with your own stiffness and the masses of the original (noise ${percentOf(noiseFloor)})`;
-  return kept === 'tuned' ? told : `${told}, so the file has your own stiffness and those masses`;
+  const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original tuned, ${percentOf(untouched)} with the original's stiffness and masses (noise ${percentOf(noiseFloor)})`;
+  return kept === 'tuned'
+    ? told
+    : `${told}, so the file keeps the original's stiffness and has its masses carried over`;
 }

@@ -428,7 +428,7 @@ const ROWS = {
     flag: 'solver',
     label: 'Where it will move',
     default: 'none',
-    help: `Find the parameters with which the result moves like the original in a solver: none, or ${describeSolvers()}.`,
+    help: `Solver in which the result will move: none, or ${describeSolvers()}. optimize and tune find the parameters with which it moves there like the original; simulate moves both in it.`,
     group: 'solver',
     isOfUse: true,
     commands: ['simulate'],

@@ -78,7 +78,7 @@ export interface SolverProfile {
   takes: Takes;
   /** verified: frequencies of the panel's solver agree with the engine's own (docs/engines.md); derived: from its sources alone */
   status: 'generic' | 'verified' | 'derived';
-  /** whether the number of substeps that is needed follows from the stiffest constraint: explicit steps and XPBD */
+  /** whether the number of substeps that is needed follows from the stiffest constraint: explicit steps, XPBD and VBD */
   isLocal: boolean;
   parameters: readonly NativeParameter[];
   /** Values for everything that the user has not `given`; with the material of the settings on the original. */

@@ -35,7 +35,7 @@ interface TunedMesh {
 
 /**
  * The substeps of a step of 1/60 s at which a substep is no longer than 1 / omega of the fastest vibration, so that explicit steps
- * are stable and XPBD loses little. omega^2 is bounded by the largest sum of a row of M^-1 K, in blocks (Gershgorin): the true
+ * are stable, and XPBD and VBD lose little. omega^2 is bounded by the largest sum of a row of M^-1 K, in blocks (Gershgorin): the true
  * one is smaller, mostly by less than half. Null where no number is enough, as where a triangle has no area.
  */
 export function substepsNeeded(tunedMesh: TunedMesh): number | null {

@@ -70,9 +70,9 @@ export const ENGINE: MessageTable = {
   '{file}: a further level has {count} faces, and the result {number}: give smaller shares of the original to “{name}”.':
     '{file}: 追加の LOD は {count} 面で、結果の {number} 面より多くなっています。「{name}」には元のメッシュに対するより小さい割合を指定してください。',
   // web/engine/report/solver_report.ts
-  'In {solver} the first ten frequencies are off {tuned} tuned, {untouched} with your own numbers.':
+  "In {solver} the first ten frequencies are off by {tuned} tuned, by {untouched} with the original's numbers.":
     '{solver} での最初の 10 個の周波数の誤差は、調整後 {tuned}、元の数値のままでは {untouched} です。',
-  'In {solver} the first ten frequencies are off {tuned} tuned (modes that were not tuned {unseen}), {untouched} with your own numbers.':
+  "In {solver} the first ten frequencies are off by {tuned} tuned (modes that were not tuned {unseen}), by {untouched} with the original's numbers.":
     '{solver} での最初の 10 個の周波数の誤差は、調整後 {tuned} (調整に使わなかったモードでは {unseen})、元の数値のままでは {untouched} です。',
   'In {solver} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1.':
     '{solver} ではこの形は抵抗なく曲がるため、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
@@ -83,13 +83,13 @@ export const ENGINE: MessageTable = {
   '{solver} takes a {name} of at least {min}, and this needs {value}: choose another material or thickness, or give your own numbers.':
     '{solver} の {name} は {min} 以上ですが、{value} が必要です。別の材質か厚さを選ぶか、数値を直接指定してください。',
   'The motion itself was not tried.': '動き自体は調べていません。',
-  '{scene} it is {tuned} of its size away from the original tuned, {untouched} with your own stiffness and the masses of the original (noise {noise}).':
+  "{scene} it is {tuned} of its size away from the original tuned, {untouched} with the original's stiffness and masses (noise {noise}).":
     '{scene}とき、元からのずれは大きさの {tuned} (調整後)、{untouched} (元の剛性と質量) です (ノイズ {noise})。',
-  '{scene} it is {tuned} of its size away from the original tuned, {untouched} with your own stiffness and the masses of the original (noise {noise}), so the file has your own stiffness and those masses.':
+  "{scene} it is {tuned} of its size away from the original tuned, {untouched} with the original's stiffness and masses (noise {noise}), so the file keeps the original's stiffness and has its masses carried over.":
     '{scene}とき、元からのずれは大きさの {tuned} (調整後)、{untouched} (元の剛性と質量) です (ノイズ {noise})。そのため、ファイルには元の剛性と質量を記録します。',
-  Swaying: '揺れる',
-  Hanging: '垂れ下がる',
-  'Swaying and hanging': '揺れて垂れ下がる',
+  'When it sways,': '揺れる',
+  'When it hangs,': '垂れ下がる',
+  'When it sways and hangs,': '揺れて垂れ下がる',
   // web/engine/stages/fit.ts and web/engine/report/fit_words.ts
   'the fit would break a limit of deviation or angle': 'フィットするとずれか角の制限を超えます',
   // web/app/worker, web/engine/document

@@ -126,7 +126,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Optimized mesh': '最適化後のメッシュ',
   'Tuning ...': '調整しています...',
   'It could not be tuned: shown as it is.': '調整できなかったため、そのまま表示しています。',
-  'A trial of the motion came closer with your own stiffness: the masses alone are tuned.':
+  "A trial of the motion came closer with the original's stiffness: the masses alone are tuned.":
     '動きを試したところ元の剛性のほうが近かったため、質量だけを調整しています。',
   'raise the substeps (now {substeps}) or take a softer material, then reset.':
     'サブステップ (現在 {substeps}) を増やすか、柔らかい材料を選んでからリセットしてください。',

@@ -153,7 +153,9 @@ function Tuning() {
       )}
       {keepsOwnStiffness.value && (
         <p class="hint">
-          {say('A trial of the motion came closer with your own stiffness: the masses alone are tuned.')}
+          {say(
+            "A trial of the motion came closer with the original's stiffness: the masses alone are tuned.",
+          )}
         </p>
       )}
       <TakeAlong />
