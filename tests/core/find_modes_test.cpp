@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "base/parallel.h"
 #include "elastic/displacement.h"
 #include "elastic/part_modes.h"
+#include "elastic/pins.h"
 #include "fields/guidance.h"
 #include "mesh/eigen_vec3.h"
 #include "mesh/topology.h"
@@ -74,6 +76,57 @@ TEST(CoarseSolve, carriesPinsOver) {
   for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(coarse.modes[k].omega / exact.modes[k].omega, 1, 1e-3);
   for (uint32_t v : options.pinned)
     for (size_t c = 0; c < 3; ++c) EXPECT_EQ(coarse.shapes[3 * v + c], 0.0f);
+}
+
+// Three corners of a triangle, two vertices and a straight edge of a curved sheet: 0, 1 and 1 rigid motions.
+TEST(CoarseSolve, leavesTheRigidMotionsThatThePinsLeave) {
+  TriangleMesh mesh = shapes::grid(100, 90, 1, 0.9);
+  for (Vec3& p : mesh.positions) p.z = 0.3 * p.x * p.x * std::cos(2 * p.y);
+  const uint32_t middle = mesh.vertexCount() / 2;
+  std::vector<uint32_t> edge;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (mesh.positions[v].x == 0) edge.push_back(v);
+  const Triangle* corners = nullptr;
+  for (const Triangle& t : mesh.triangles)
+    if (t[0] == middle) corners = &t;
+  ASSERT_NE(corners, nullptr);
+  const std::vector<std::vector<uint32_t>> pins = {
+      {corners->begin(), corners->end()}, {middle, (*corners)[1]}, edge};
+  for (const std::vector<uint32_t>& pinned : pins) {
+    SCOPED_TRACE(pinned.size());
+    ModesOptions options = shellOptions(mesh, 3);
+    options.pinned = pinned;
+    Job job;
+    const ModeSet coarse = findModes(mesh, options, false, job), exact = findModes(mesh, options, true, job);
+    EXPECT_GT(coarse.components[0].coarseVertices, 0u);
+    EXPECT_EQ(coarse.components[0].zeroModesExpected, exact.components[0].zeroModesExpected);
+    EXPECT_EQ(coarse.components[0].zeroModesFound, exact.components[0].zeroModesFound);
+    for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(coarse.modes[k].omega / exact.modes[k].omega, 1, 1e-3);
+  }
+}
+
+// A copy so coarse that pins beside each other have become one vertex.
+TEST(CoarsePart, leavesTheRigidMotionsThatThePinsLeave) {
+  TriangleMesh mesh = shapes::grid(60, 50, 1, 0.9);
+  for (Vec3& p : mesh.positions) p.z = 0.3 * p.x * p.x * std::cos(2 * p.y);
+  Job job;
+  size_t merged = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); t += 97)
+    for (const size_t count : {3u, 2u}) {
+      Part part;
+      part.model = ElasticModel::Shell;
+      part.mesh = mesh;
+      part.pinned.assign(mesh.triangles[t].begin(), mesh.triangles[t].begin() + count);
+      const CoarsePart coarse = coarsen(part, 300, job);
+      std::vector<Vec3> points;
+      std::set<uint32_t> own;
+      for (const uint32_t v : part.pinned) own.insert(coarse.vertexOfInput[v]);
+      for (const uint32_t v : coarse.part.pinned) points.push_back(coarse.part.mesh.positions[v]);
+      EXPECT_EQ(rigidMotionsLeft(points), count == 3 ? 0u : 1u);
+      EXPECT_LE(points.size(), count);
+      if (own.size() < count) ++merged;
+    }
+  EXPECT_GT(merged, 20u);
 }
 
 TEST(SmallParts, areSolvedInParallelWithTheSameResultAndRisingProgress) {

@@ -3,8 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 #include "base/parallel.h"
@@ -157,6 +159,15 @@ TEST(Factorisation, solvesAsADenseSolverDoes) {
     EXPECT_LT((dense * x - b).norm(), 1e-8 * b.norm());
     EXPECT_LT((x - dense.ldlt().solve(b)).norm(), 1e-6 * x.norm());
     EXPECT_EQ(factorisation.negativePivots(), 0u);
+  }
+}
+
+TEST(Factorisation, refusesPivotsThatAreNotFinite) {
+  const SparsePencil pencil = shellOf(shapes::grid(6, 5));
+  Job job;
+  for (const double shift : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Factorisation factorisation(pencil, job);
+    EXPECT_THROW(factorisation.factorise(shift, job), std::runtime_error);
   }
 }
 

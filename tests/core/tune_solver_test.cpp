@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "elastic/solvers/solver_constraints.h"
 #include "fit/tune/modes/clamped_modes.h"
@@ -228,6 +229,38 @@ TEST(TuneSolver, FitsNothingToSheetsThatSwingAboutAnEdge) {
       EXPECT_EQ(tuned.stretchFactor, 1);
     }
   }
+}
+
+// Hinges of no stiffness join triangles, but resist nothing.
+TEST(TuneSolver, FitsNothingToASheetWhoseHingesResistNothing) {
+  Job job;
+  for (const double height : {0.0, 0.2}) {
+    TriangleMesh sheet = shapes::grid(40, 40), coarse = shapes::grid(20, 20);
+    for (TriangleMesh* mesh : {&sheet, &coarse})
+      for (Vec3& p : mesh->positions) p.z = height * std::sin(3 * p.x) * std::cos(2 * p.y);
+    for (const int model : {1, 2, 3}) {
+      SCOPED_TRACE(kModels[model].first);
+      TuneOptions options = optionsFor(kModels[model].second, sheet, TuneKind::Global);
+      options.original.bend = options.result.bend = 0;
+      const Tuned tuned = tuneSolver(sheet, coarse, options, job);
+      EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
+      EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoResistance);
+      EXPECT_EQ(tuned.bendFactor, 1);
+    }
+  }
+}
+
+TEST(TuneSolver, RefusesBeforeItTakesMoreMemoryThanThereIs) {
+  Job job;
+  const TuneOptions options = optionsFor(kModels[1].second, body(), TuneKind::Global);
+  setMemoryLimit(1'000'000);
+  try {
+    tuneSolver(body(), coarseBody(), options, job);
+    ADD_FAILURE() << "it was not refused";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("but only 1 MB are left"), std::string::npos);
+  }
+  setMemoryLimit(0);
 }
 
 // The bending stiffness is that of rounding: no search converges to modes of it.

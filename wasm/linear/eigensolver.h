@@ -19,14 +19,17 @@ namespace limber {
 // Method of solveEigenproblem:
 // 1. Shift-invert Lanczos (Lanczos 1950; implicitly restarted, by Spectra) on M^1/2 (K - sigma M)^-1 M^1/2
 //    over the unknowns with an entry in M, from a fixed start vector. Nothing is deflated: zero eigenvalues
-//    are found like all others.
+//    are found like all others. A rough search is block Lanczos from 16 fixed vectors first, and this where
+//    that does not converge.
 // 2. Shift rule: sigma is negative, so K - sigma M is positive definite and needs no pivoting. The first
 //    shift is -EigenOptions::scale. If it is not between 0.005 and 15 times the first positive eigenvalue
 //    lambda_1, the search is repeated with sigma = -lambda_1 / 2. Where every pair found is below 1e-4
 //    |sigma| and counts as zero, inertia tells why. If some eigenvalues are above 1e-8 |sigma|, the shift is
 //    too large to tell them from zero and becomes 1e-4 sigma. If none is, all of them are zero, and more than
 //    were sought: then a positive shift between them and lambda_1 finds what is above them.
-// 3. Block inverse iteration with Rayleigh-Ritz until the residuals are small or stop falling.
+// 3. Block inverse iteration with Rayleigh-Ritz until the residuals are small or stop falling; not for a
+// rough
+//    search that has converged.
 // 4. Completeness by Sylvester's law of inertia: the negative pivots of K - s M, with s in a gap above the
 //    last wanted pair (the first of 1 %, or else the widest), count the eigenvalues below s. If some are
 //    missing, those that are zero are counted with s below lambda_1, and if the search has missed members of

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 #include <thread>
 
@@ -12,8 +11,6 @@
 #include "linear/dense/dense_ldlt.h"
 #include "linear/dense/dense_product.h"
 #include "linear/dense/dense_triangle.h"
-#include "linear/ordering/front_tree.h"
-#include "linear/ordering/ordering.h"
 
 namespace limber {
 
@@ -188,7 +185,10 @@ void Factorisation::solveRows(Rows& y, const Job& job) const {
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(position) += y.row(slot); });
   forEachPart(y, [&](Rows& part) {
     const uint32_t scratch = structure_->topScratch;
-    for (uint32_t f : structure_->top) forward(structure_->fronts[f], scratch, part);
+    for (uint32_t f : structure_->top) {
+      job.check();
+      forward(structure_->fronts[f], scratch, part);
+    }
     for (uint32_t p = 0; p < structure_->unknownCount; ++p) part.row(p) /= diagonal_[p];
     for (auto f = structure_->top.rbegin(); f != structure_->top.rend(); ++f)
       backward(structure_->fronts[*f], scratch, part);

@@ -6,15 +6,6 @@
 #include "linear/extended_residual.h"
 
 namespace limber {
-namespace {
-
-bool meetsOthers(const SparsePencil& pencil, Eigen::Index unknown) {
-  for (Eigen::SparseMatrix<double>::InnerIterator entry(pencil.k, unknown); entry; ++entry)
-    if (entry.row() != unknown && entry.value() != 0) return true;
-  return false;
-}
-
-}  // namespace
 
 ShiftedPencil::ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure,
                              Job& job)
@@ -24,7 +15,7 @@ ShiftedPencil::ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<const F
   for (Eigen::Index i = 0; i < pencil.m.size(); ++i) {
     if (pencil.m[i] > 0)
       heavy_.push_back(i);
-    else if (masslessAreZero_ && meetsOthers(pencil, i))
+    else if (masslessAreZero_ && pencil.isCoupled(i))
       masslessAreZero_ = false;
   }
   rootMass_ = pencil.m(heavy_).cwiseSqrt();

@@ -21,6 +21,12 @@ struct SparsePencil {
 
   uint32_t nodeCount() const { return static_cast<uint32_t>(firstUnknown.size() - 1); }
   uint32_t unknownCount() const { return static_cast<uint32_t>(m.size()); }
+  // Whether an unknown is coupled to another one. Those that pins fix are not.
+  bool isCoupled(Eigen::Index unknown) const {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(k, unknown); entry; ++entry)
+      if (entry.row() != unknown && entry.value() != 0) return true;
+    return false;
+  }
 };
 
 }  // namespace limber

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "elastic/displacement.h"
+#include "elastic/pins.h"
 #include "mesh/eigen_vec3.h"
 #include "mesh/topology.h"
 #include "query/closest_point.h"
@@ -38,6 +39,45 @@ std::vector<uint32_t> coarsePins(const Part& original, const MeshAt& at) {
   for (uint32_t v = 0; v < count; ++v)
     if (isPinned[v] || (pinned[v] > 0 && !isNearPinned[v])) pins.push_back(v);
   return pins;
+}
+
+uint32_t motionsLeftBy(const TriangleMesh& mesh, const std::vector<uint32_t>& pins) {
+  std::vector<Vec3> points;
+  for (const uint32_t v : pins) points.push_back(mesh.positions[v]);
+  return rigidMotionsLeft(points);
+}
+
+// The vertex beside v, of those that are not pinned, that is nearest to a point; kNone if all are pinned.
+uint32_t nearestBeside(const TriangleMesh& mesh, uint32_t v, const Vec3& point,
+                       const std::vector<uint32_t>& pins) {
+  uint32_t nearest = kNone;
+  for (const Triangle& t : mesh.triangles) {
+    if (std::ranges::find(t, v) == t.end()) continue;
+    for (const uint32_t w : t)
+      if (std::ranges::find(pins, w) == pins.end() &&
+          (nearest == kNone ||
+           squaredLength(mesh.positions[w] - point) < squaredLength(mesh.positions[nearest] - point)))
+        nearest = w;
+  }
+  return nearest;
+}
+
+// Makes the pins of the copy leave as many rigid motions as those of the original. A few pins that were close
+// to each other have collapsed into one or two vertices: those beside them are pinned too. Pins on a line can
+// have left it: they go back to a vertex of the original that has become them.
+void matchRigidMotions(const Part& original, CoarsePart& coarse) {
+  TriangleMesh& mesh = coarse.part.mesh;
+  std::vector<uint32_t>& pins = coarse.part.pinned;
+  const uint32_t wanted = motionsLeftBy(original.mesh, original.pinned);
+  if (motionsLeftBy(mesh, pins) < wanted)
+    for (const uint32_t v : original.pinned)
+      mesh.positions[coarse.vertexOfInput[v]] = original.mesh.positions[v];
+  for (const uint32_t v : original.pinned) {
+    if (motionsLeftBy(mesh, pins) <= wanted) break;
+    const uint32_t beside = nearestBeside(mesh, coarse.vertexOfInput[v], original.mesh.positions[v], pins);
+    if (beside != kNone) pins.push_back(beside);
+  }
+  std::ranges::sort(pins);
 }
 
 // A vertex of a mesh and what lies around it.
@@ -152,6 +192,7 @@ CoarsePart coarsen(const Part& original, uint32_t vertices, Job& job) {
   coarse.part.pinned = coarsePins(original, at);
   coarse.part.mesh = std::move(at.mesh);
   coarse.vertexOfInput = std::move(at.vertexOfInput);
+  matchRigidMotions(original, coarse);
   return coarse;
 }
 

@@ -20,13 +20,14 @@ struct CoarsePart {
 
 // Decimates a part evenly (quadrics with an edge-length term) to about `vertices` vertices. Topology is kept.
 // A coarse vertex is pinned if most of the vertices collapsed into it are pinned, and also if otherwise no
-// pin would be left next to it. Throws Cancelled.
+// pin would be left next to it; pins leave as many rigid motions of the copy as of the original. Throws
+// Cancelled.
 CoarsePart coarsen(const Part& original, uint32_t vertices, Job& job);
 
 // Carries displacements of a coarse part to its original. Each vertex follows its closest point among the
-// triangles around the coarse vertex that it was collapsed into, so it never jumps to another sheet of the
-// surface. There it moves by the displacement gradients at the corners of the triangle, which is exact for
-// linear displacements and smooth across edges.
+// triangles around the coarse vertex that it was collapsed into and around that vertex's neighbours, so it
+// never jumps to another sheet of the surface. There it moves by the displacement gradients at the corners of
+// the triangle, which is exact for linear displacements and smooth across edges.
 class Prolongation {
  public:
   // Keeps references to both parts.

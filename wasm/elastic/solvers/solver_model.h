@@ -25,7 +25,7 @@ enum class BendElement : int32_t {
   CrossSprings = 4
 };
 
-// Area: a third of the triangles around a vertex. Vertex: the same mass for every vertex.
+// Area: a third of the area around a vertex. Vertex: the same mass for every vertex.
 enum class MassRule : int32_t { Area = 0, Vertex = 1 };
 
 struct SolverModel {

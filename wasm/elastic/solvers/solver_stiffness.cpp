@@ -13,7 +13,7 @@ namespace {
 constexpr size_t kConstraintsPerRange = 512;
 constexpr uint32_t kNoNode = ElementAssembly::kNoNode;
 
-// Half the energy density of a plane-stress tensor (xx, yy, 2 xy) is that of U times the tensor.
+// U with U^T U = C, so that a plane strain e = (xx, yy, 2 xy) has the energy density 1/2 |U e|^2.
 Eigen::Matrix3d rootOfPlaneStress(double shear, double lambda) {
   Eigen::Matrix3d c;
   c << lambda + 2 * shear, lambda, 0, lambda, lambda + 2 * shear, 0, 0, 0, shear;
@@ -43,7 +43,7 @@ TriangleMesh inMetres(const TriangleMesh& mesh, double unit) {
   return scaled;
 }
 
-// The model and constants whose stretch constraints are wanted, with any bending element but Morley's.
+// The model whose stretch constraints are wanted, with any bending element but Morley's.
 SolverModel withoutMorley(SolverModel model) {
   if (model.bend == BendElement::Morley) model.bend = BendElement::Hinge;
   return model;

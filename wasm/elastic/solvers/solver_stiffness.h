@@ -32,6 +32,8 @@ class SolverStiffness {
   uint32_t count() const { return static_cast<uint32_t>(constraints_.size()); }
   uint32_t stretchCount() const { return stretchCount_; }
   const SolverConstraint& operator[](uint32_t c) const { return constraints_[c]; }
+  // Whether B_c is other than 0. It is 0 where the constant is, or a triangle has no area.
+  bool resists(uint32_t c) const { return !matrixOf(c).isZero(0); }
   uint32_t vertexCount() const { return vertexCount_; }
   Eigen::Index unknownCount() const { return static_cast<Eigen::Index>(firstUnknown_.back()); }
 

@@ -67,12 +67,19 @@ double eigenvalueOfRounding(const SparsePencil& pencil) {
   return kManyRoundings * kDoubleRounding * stiffness / pencil.m.sum();
 }
 
+// The value, or the least one where it is smaller or not a number.
+double notBelow(double least, double value) {
+  return value > least ? value : least;
+}
+
 // Whether bending elements join all triangles, so that rigid motions alone meet no resistance: a triangle
 // keeps its shape, a hinge the angle between two of them, and Morley's element all angles about an edge.
 // Springs across an edge resist only what is not flat.
 bool bendingJoinsAll(const TriangleMesh& mesh, const SolverStiffness& stiffness) {
   const uint32_t first = stiffness.stretchCount();
   if (first == stiffness.count() || stiffness[first].vertexCount == 2) return false;
+  for (uint32_t c = first; c < stiffness.count(); ++c)
+    if (!stiffness.resists(c)) return false;
   const bool isMorley = stiffness[first].vertexCount == 3;
   const Topology topology = buildIncidence(mesh);
   DisjointSets pieces(mesh.triangleCount());
@@ -150,10 +157,12 @@ double SolverVibration::roughFirstEigenvalue(Job& job) const {
   std::vector<double> factors(setting_.stiffness.count(), 1.0);
   Eigen::MatrixXd motions = quadraticMotions(setting_.mesh, setting_.stiffness.unknownCount());
   for (const uint32_t row : clamped_) motions.row(row).setZero();
-  const double all = ritzValue(pencilOf(factors), motions, rigidMotionCount());
+  const SparsePencil whole = pencilOf(factors);
+  const double all =
+      notBelow(eigenvalueOfRounding(whole) / kZeroRatio, ritzValue(whole, motions, rigidMotionCount()));
   std::fill_n(factors.begin(), stretches, 0.0);
   const double bend = ritzValue(pencilOf(factors), motions, rigidMotionCount());
-  return refinedFirstEigenvalue(std::sqrt(all * std::max(bend, kLeastBendShare * all)), motions, job);
+  return refinedFirstEigenvalue(std::sqrt(all * notBelow(kLeastBendShare * all, bend)), motions, job);
 }
 
 // Each step of inverse iteration leaves of a motion what is not far stiffer than the shift, so that a shift
@@ -163,11 +172,12 @@ double SolverVibration::refinedFirstEigenvalue(double rough, Eigen::MatrixXd mot
   const SparsePencil pencil = pencilOf(std::vector<double>(setting_.stiffness.count(), 1.0));
   const double least = eigenvalueOfRounding(pencil) / kZeroRatio;
   ShiftedPencil shifted(pencil, structure_, job);
+  requireMemoryToSolve(shifted.memoryWith(2 * static_cast<int>(motions.cols())));
   for (int step = 0; step < kRoughSteps; ++step) {
     shifted.shiftTo(-rough);
     motions = shifted.inverseStep(motions);
     const double before = rough;
-    rough = std::max(ritzValue(pencil, motions, rigidMotionCount()), least);
+    rough = notBelow(least, ritzValue(pencil, motions, rigidMotionCount()));
     if (rough > kCloseToShift * before) break;
   }
   return rough;
@@ -189,6 +199,7 @@ uint32_t SolverVibration::countNoise(std::span<const double> factors, Job& job) 
   const double edge = length / std::max<double>(1, mesh.triangleCount());
   const double tilt = kFloatRounding * bounds(mesh).diagonal() / edge;
   ShiftedPencil shifted(pencil, structure_, job);
+  requireMemoryToSolve(shifted.memoryWith(0));
   const uint32_t below = shifted.countBelow(std::max(*middle * tilt * tilt, eigenvalueOfRounding(pencil)));
   const auto rigid = static_cast<uint32_t>(rigidMotionCount());
   return below > rigid ? below - rigid : 0;

@@ -19,7 +19,7 @@ namespace limber {
 // the user, or from the upper end of its longest side. A closed body with pins of the user gets both.
 //
 // Springs, hinges and membranes move by the implicit steps of ImplicitMotion, and the shell with Morley's
-// element by the XPBD of simulate/simulation.h, whose substeps are of first order. With hinges a
+// element by the XPBD of simulate/simulation.h, whose substeps are of first order. With hinges an
 // AreaBarrier keeps triangles from losing their area. An original of more than 20,000 faces is not tried,
 // one of cross springs not above 10,000, because that takes more than about a minute.
 //

@@ -11,7 +11,8 @@ namespace limber {
 // frequencies are those of the original in the same solver. At rest the stiffness is linear in the factors,
 // so the derivatives of all eigenvalues are exact and cost nothing.
 //
-// On a mesh with a border the factors on stretching stay 1: what hangs is governed by its lengths. Where the
+// Where the original has a border the factors on stretching stay 1, for what hangs is governed by its
+// lengths; a global one is tuned as well where a trial of the motion finds that it moves better. Where the
 // solver's energy leaves motions without resistance (a flat sheet of springs bends freely, and hinges let
 // three sheets swing about an edge that they share), or where no search finds the modes, there are no
 // frequencies to fit: factors stay 1, errors are NaN and Tuned::frequencyStatus says which it is. Factors

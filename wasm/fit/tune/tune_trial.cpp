@@ -49,8 +49,8 @@ TrialOutcome tryMotion(const TrialBodies& bodies, const std::vector<TuneCandidat
   const MovingBody body{result, topology, options.result, {options.pinnedResult, {}}, masses, {}};
   const std::optional<double> untouched = trial.deviationOf(body, job);
   const double noise = trial.noiseFloor();
-  const BestCandidate best = bestOf(candidates, body, {trial, noise}, job);
-  if (!untouched || !best.deviation)
+  const BestCandidate best = untouched ? bestOf(candidates, body, {trial, noise}, job) : BestCandidate{};
+  if (!best.deviation)
     return {.refusal = "the time steps of the coarse mesh do not converge or take too long"};
   const double tuned = *best.deviation;
   return {

@@ -9,13 +9,6 @@ namespace {
 
 using Eigen::Index;
 
-// Whether an unknown is coupled to another one. Those that pins fix are not.
-bool isCoupled(const SparsePencil& pencil, Index unknown) {
-  for (Eigen::SparseMatrix<double>::InnerIterator entry(pencil.k, unknown); entry; ++entry)
-    if (entry.row() != unknown && entry.value() != 0) return true;
-  return false;
-}
-
 // K between some unknowns, in their order.
 Eigen::MatrixXd denseStiffness(const SparsePencil& pencil, const std::vector<Index>& unknowns) {
   const auto size = static_cast<Index>(unknowns.size());
@@ -35,7 +28,7 @@ ModeBasis solveDensely(const SparsePencil& pencil) {
   for (Index i = 0; i < pencil.m.size(); ++i)
     if (pencil.m[i] > 0)
       heavy.push_back(i);
-    else if (isCoupled(pencil, i))
+    else if (pencil.isCoupled(i))
       massless.push_back(i);
   if (heavy.empty()) return {Eigen::VectorXd(0), Eigen::MatrixXd(pencil.m.size(), 0)};
   std::vector<Index> unknowns = heavy;

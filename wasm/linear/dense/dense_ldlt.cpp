@@ -29,7 +29,7 @@ void factoriseDiagonalBlock(Block a, Eigen::Ref<Eigen::VectorXd> d) {
       a(j, j) -= a(j, k) * scale;
       a.col(j).tail(below) -= scale * a.col(k).tail(below);
     }
-    d[j] = std::abs(a(j, j)) > kTinyPivot ? a(j, j) : kTinyPivot;
+    d[j] = std::abs(a(j, j)) <= kTinyPivot ? kTinyPivot : a(j, j);  // NaN stays
     a.col(j).tail(below) /= d[j];
   }
 }

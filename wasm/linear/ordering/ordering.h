@@ -11,8 +11,8 @@ namespace limber {
 // A fill-reducing elimination order of the nodes, by nested dissection (George 1973): the graph is cut in two
 // by a small separator, both halves are ordered first, recursively, and the separator last. Separators come
 // from a multilevel method that sees the graph alone, no coordinates (separator.h). Remainders of at most ten
-// nodes are ordered by minimum degree (Tinney and Walker 1967). Only the heaviest nodes are dissected; each
-// lighter node joins its heavy neighbours.
+// nodes, and sets without a separator, are ordered by minimum degree (Tinney and Walker 1967). Only the
+// heaviest nodes are dissected; each lighter node joins its heavy neighbours.
 //
 // Returns all nodes in the order of elimination. Deterministic, ties by index. For a planar graph of n nodes
 // the factor has O(n log n) nonzeros (Lipton, Rose and Tarjan 1979). Throws Cancelled.

@@ -12,8 +12,9 @@
 namespace limber {
 namespace {
 
-// The modes of an original with more vertices are refined from those of the result.
-constexpr uint32_t kRefinedVertices = 3000;
+// The modes of an original with at most so many vertices are searched for from scratch, which takes little
+// time; those of a larger one are refined from those of the result.
+constexpr uint32_t kSearchedVertices = 3000;
 constexpr int kMargin = 8;  // extra modes of the result, as the order of modes may differ
 
 SolverVibration vibrationOf(const SolverPart& part, std::span<const double> masses,
@@ -75,7 +76,7 @@ void PartModesPair::solveResult(double scale, Job& job) {
 
 EigenSolution PartModesPair::originalModes(Job& job) const {
   const std::vector<double> factors = ones(pair_->original);
-  if (pair_->original.mesh.vertexCount() <= kRefinedVertices)
+  if (pair_->original.mesh.vertexCount() <= kSearchedVertices)
     return original_.solve(factors, count_, firstEigenvalue(), job);
   const Eigen::Index rows = 3 * static_cast<Eigen::Index>(pair_->result.mesh.vertexCount());
   const Eigen::Index count = std::min<Eigen::Index>(modes_.modeCount(), count_ + kSpareModes);
@@ -96,7 +97,7 @@ void PartModesPair::solveOriginal(Job& job) {
       basis.phi.topLeftCorner(3 * static_cast<Eigen::Index>(pair_->original.mesh.vertexCount()), count);
   for (uint32_t v = 0; v < pair_->original.mesh.vertexCount(); ++v)
     weighted.middleRows<3>(3 * static_cast<Eigen::Index>(v)) *= original_.masses()[v];
-  expected_ = pair_->carryThirds(weighted);
+  expected_ = pair_->carryToResult(weighted);
   match();
 }
 

@@ -101,7 +101,7 @@ std::vector<double> SolverPart::constraintValues(std::span<const double> ofBody)
   return chosen(ofBody, constraints);
 }
 
-Eigen::MatrixXd PartPair::carryThirds(const Eigen::MatrixXd& values) const {
+Eigen::MatrixXd PartPair::carryToResult(const Eigen::MatrixXd& values) const {
   Eigen::MatrixXd carried =
       Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(result.mesh.vertexCount()), values.cols());
   for (size_t v = 0; v < points.size(); ++v)

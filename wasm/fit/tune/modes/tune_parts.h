@@ -31,7 +31,7 @@ struct PartPair {
 
   // Carries values per vertex of the original part over to the result: what each vertex has goes to the
   // corners of its closest point by barycentric weights. Rows 3 v + c for three values a vertex.
-  Eigen::MatrixXd carryThirds(const Eigen::MatrixXd& values) const;
+  Eigen::MatrixXd carryToResult(const Eigen::MatrixXd& values) const;
 };
 
 struct TuneBodies {

@@ -21,10 +21,10 @@ struct GlobalFactors {
   double stretch = 1, bend = 1;
 };
 
-// One factor for each kind of constraint, by Gauss-Newton steps in their logarithms, each drawn towards 0 as
-// an unknown of standard deviation ln(10) / 2 would be whose measurements have the scatter of what is left:
-// so modes decide where they can, and a factor that no mode depends on stays 1. Leaves the problem at the
-// result. All three keep to [0.1, 10]. Throws Cancelled.
+// One factor for each kind of constraint: the maximum a posteriori estimate of their logarithms by
+// Gauss-Newton steps, with a Gaussian prior of mean 0 and standard deviation ln(10) / 2 and noise of the
+// variance of the residuals. So modes decide where they can, and a factor that no mode depends on stays 1.
+// Leaves the problem at the result. All three keep to [0.1, 10]. Throws Cancelled.
 GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constraints, Job& job);
 
 struct VertexFields {

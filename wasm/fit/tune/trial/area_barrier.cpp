@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "elastic/shell_element.h"
+
 namespace limber {
 namespace {
 
 // Area over that at rest from which on a triangle resists.
 constexpr double kCompression = std::numbers::inv_sqrt3;
-// Height over longest edge from which on the stiffness of a triangle is bounded, and at which it has none.
-constexpr double kFlattest = 1e-4, kDegenerate = 1e-12;
 
 Vec3 doubleNormal(const std::array<uint32_t, 3>& vertices, std::span<const Vec3> positions) {
   const auto& [a, b, c] = vertices;
@@ -28,8 +28,8 @@ AreaBarrier::AreaBarrier(std::span<const std::array<uint32_t, 3>> triangles, std
       longest = std::max(longest, squaredLength(rest[vertices[(c + 1) % 3]] - rest[vertices[c]]));
     const double doubleArea = length(doubleNormal(vertices, rest));
     const double flatness = longest > 0 ? doubleArea / longest : 0;
-    if (flatness < kDegenerate) continue;
-    const double root = std::sqrt(stiffness * 0.5 * doubleArea * std::min(1.0, flatness / kFlattest));
+    if (flatness < kDegenerateTriangle) continue;
+    const double root = std::sqrt(stiffness * 0.5 * doubleArea * std::min(1.0, flatness / kFlattestTriangle));
     triangles_.push_back({vertices, root, kCompression * doubleArea});
   }
 }

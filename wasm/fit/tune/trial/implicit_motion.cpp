@@ -5,7 +5,7 @@
 namespace limber {
 namespace {
 
-// The most and shortest steps that a step is divided into.
+// A step is divided into at most so many.
 constexpr int kMostParts = 16;
 
 double inertiaOfBdf2(double step) {
@@ -105,7 +105,6 @@ std::optional<ImplicitMotion::Instant> ImplicitMotion::advancedInParts(int count
 bool ImplicitMotion::step(Job& job) {
   movePinsTo(1);
   std::optional<Instant> next = advanced({now_, former_ ? &*former_ : nullptr, options_.step}, job);
-  if (!next) ++dividedStepCount_;
   for (int parts = 2; !next && parts <= kMostParts; parts *= 2) next = advancedInParts(parts, job);
   if (!next) return false;
   former_ = std::exchange(now_, std::move(*next));

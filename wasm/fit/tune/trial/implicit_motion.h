@@ -53,10 +53,6 @@ class ImplicitMotion {
   double kineticEnergy() const;
   double elasticEnergy() const { return system_.energyAt(now_.positions); }
   double potentialEnergy() const;
-  // Numbers of linear solves and of factorisations so far, and of the steps that were made of shorter ones.
-  uint32_t solveCount() const { return minimiser_.solveCount(); }
-  uint32_t factorisationCount() const { return minimiser_.factorisationCount(); }
-  uint32_t dividedStepCount() const { return dividedStepCount_; }
 
  private:
   struct Instant {
@@ -83,7 +79,6 @@ class ImplicitMotion {
   std::optional<Instant> former_;
   // Of pinned vertices, then of pinned points: before the step, after it, and within it.
   std::vector<Vec3> pinStarts_, pinTargets_, pinPositions_;
-  uint32_t dividedStepCount_ = 0;
 };
 
 }  // namespace limber

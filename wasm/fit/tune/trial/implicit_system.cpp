@@ -159,7 +159,7 @@ void ImplicitSystem::addForces(std::span<const uint32_t> vertices, const Constra
       coordinatesOf(gradient, i) += force.segment<3>(3 * static_cast<Eigen::Index>(k));
 }
 
-void ImplicitSystem::addGuard(std::span<const Vec3> positions, Eigen::VectorXd& gradient) {
+void ImplicitSystem::addBarrier(std::span<const Vec3> positions, Eigen::VectorXd& gradient) {
   for (size_t i = 0; i < barrier_.count(); ++i) {
     if (!barrier_.isActive(i, positions)) continue;
     const Linearisation at{barrier_.strainAt(i, positions)};
@@ -183,7 +183,7 @@ Eigen::VectorXd ImplicitSystem::linearise(std::span<const Vec3> positions, Stres
     addForces(vertices, parts_[c].strain, factorOf(c), gradient);
     addBlocks(vertices, starts_[c], parts_[c], factorOf(c));
   }
-  addGuard(positions, gradient);
+  addBarrier(positions, gradient);
   addPointSpringsTo(positions, gradient);
   addPointBlocks();
   return gradient;

@@ -87,7 +87,7 @@ class ImplicitSystem {
                  Eigen::VectorXd& gradient) const;
   void addBlocks(std::span<const uint32_t> vertices, const BlockStarts& starts, const Linearisation& at,
                  double factor);
-  void addGuard(std::span<const Vec3> positions, Eigen::VectorXd& gradient);
+  void addBarrier(std::span<const Vec3> positions, Eigen::VectorXd& gradient);
   void addPointSpringsTo(std::span<const Vec3> positions, Eigen::VectorXd& gradient) const;
   void addPointBlocks();
   Vec3 gapOf(const PointSpring& spring, std::span<const Vec3> positions) const;

@@ -37,9 +37,6 @@ class StepMinimiser {
   bool minimise(const StepObjective& objective, State& x, Job& job);
   double valueAt(const StepObjective& objective, const State& x) const;
 
-  // Numbers of linear solves and of factorisations so far.
-  uint32_t solveCount() const { return solveCount_; }
-  uint32_t factorisationCount() const { return factorisationCount_; }
   // Multiplications of all solves so far, and those of factorisations by the time that they take beside them.
   double work() const { return (solveCount_ + price_ * factorisationCount_) * solveWork_; }
 

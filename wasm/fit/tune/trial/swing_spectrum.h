@@ -19,8 +19,8 @@ struct SwingLine {
 // and weights of the Gauss quadrature of its spectral measure, by Lanczos' method on (K + sigma M)^-1 from
 // the start (Golub and Meurant 2010, Matrices, Moments and Quadrature). Ascending; the lowest frequencies
 // that carry energy are exact, the others stand for many. Rigid motions have frequencies near 0. Needs one
-// factorisation. Empty where the velocities of free vertices are 0. To be called within a WholePhase. Throws
-// Cancelled.
+// factorisation. Empty where the velocities of free vertices are 0, or meet no resistance. To be called
+// within a WholePhase. Throws Cancelled.
 std::vector<SwingLine> swingSpectrum(ImplicitSystem& system, std::span<const Vec3> velocities, Job& job);
 
 // What to expect of a swing.
