@@ -12,6 +12,7 @@ import { describeFormerWords, readSettings } from '../engine/settings/setting_te
 import { FACE_COUNT, FACE_SHARE } from '../engine/settings/targets';
 import type { ValueRule } from '../engine/settings/targets';
 import { SOLVER_NAMES } from '../engine/solvers/profiles';
+import { readsBendRatio } from '../engine/stages/tune';
 import { engineFromFile, fileOfEngine } from './engine_file';
 import { UsageError } from './failure';
 import { readBatchFlags } from './batch/flags';
@@ -220,7 +221,8 @@ function readLikeInput(values: Map<string, string>): void {
 }
 
 /** What is asked of a solver needs one; a command that tunes needs a file for what it finds. */
-function checkSolverFlags(command: Command, { solver }: Settings, values: Map<string, string>): void {
+function checkSolverFlags(command: Command, settings: Settings, values: Map<string, string>): void {
+  const { solver } = settings;
   if (solver === 'none') {
     const ofSolver = SOLVER_SETTINGS.map((name) => OPTIONS[name].flag);
     const flags = [...ofSolver, ...(command === 'simulate' ? [] : ['settings'])];
@@ -231,6 +233,10 @@ function checkSolverFlags(command: Command, { solver }: Settings, values: Map<st
       );
   } else if (command === 'tune' && !values.has('settings'))
     throw new UsageError('limber tune needs a file for what it finds: --settings FILE.');
+  else if (values.has('bend-ratio') && !readsBendRatio(settings))
+    throw new UsageError(
+      `--bend-ratio is for springs and dihedral without a bend of --engine: leave it out, and give ${solver} its own numbers by --engine.`,
+    );
 }
 
 /** The settings of --preset; none without it. */

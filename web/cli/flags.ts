@@ -138,7 +138,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       },
       {
         name: 'no-validate',
-        help: 'Do not check OUT by the glTF validator; without it errors that IN has not are warned of (files of more than 64 MB are not checked).',
+        help: 'Do not check OUT by the Khronos glTF validator, which otherwise warns of errors that IN does not have (files of more than 64 MB are never checked).',
         group: 'output',
       },
       SETTINGS,

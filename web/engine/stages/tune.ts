@@ -35,7 +35,8 @@ export function tuneSettings(settings: AllSettings): TuneSettings | null {
   return { ...settings, solver, bendRatio: readsBendRatio(settings) ? settings.bendRatio : 0 };
 }
 
-function readsBendRatio({ solver, engine }: AllSettings): boolean {
+/** Whether the bend ratio says how stiff the solver bends: of nets that have no bend constant of their own. */
+export function readsBendRatio({ solver, engine }: Pick<Settings, 'solver' | 'engine'>): boolean {
   if (solver !== 'springs' && solver !== 'dihedral') return false;
   return !('bend' in engineValues(solver, engine));
 }
