@@ -66,6 +66,7 @@ function constantDefaults(profile: SolverProfile): Record<string, number> {
 
 /** Powers of ten from 1e6 on, and below 1e-4, as such. */
 function short(value: number): string {
+  if (value === 0) return '0';
   const exponent = Math.round(Math.log10(value));
   return value === 10 ** exponent && (exponent < -4 || exponent > 5) ? `1e${exponent}` : `${value}`;
 }

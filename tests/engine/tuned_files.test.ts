@@ -15,6 +15,7 @@ import { validateGlb } from '../../web/engine/document/validate';
 import type { Report } from '../../web/engine/report/report';
 import type { BodySettings, SettingsFile } from '../../web/engine/report/settings_file';
 import { readSettingsFile } from '../../web/engine/report/settings_reader';
+import { createGltfIo } from '../../web/engine/document/gltf_io';
 import { readGlb } from './support/gltf';
 import { grid, toObj, torus } from './support/shapes';
 
@@ -148,6 +149,21 @@ describe('limber optimize --solver springs', () => {
     expect(again.frequencies.errorUntouched).toBeCloseTo(file.frequencies.errorUntouched!, 4);
     expect(again.bodies[0].stretch.constant / body.stretch.constant).toBeCloseTo(1, 3);
     expect(again.bodies[0].bend.constant / body.bend.constant).toBeCloseTo(1, 3);
+  });
+});
+
+describe('a compressed file', () => {
+  it.each(['quantized', 'meshopt'])('has positions where the settings have them: %s', async (kind) => {
+    const flags = ['--ratio', '0.5', '--solver', 'jolt', '--compress', kind, '--settings', 'c.json'];
+    expect(await run('optimize', 'wave.obj', 'c.glb', ...flags)).toBe(0);
+    const [body] = settingsIn('c.json').bodies;
+    const io = await createGltfIo(['EXT_meshopt_compression']);
+    const [mesh] = (await io.readBinary(bytes('c.glb'))).getRoot().listMeshes();
+    const positions = mesh.listPrimitives()[0].getAttribute('POSITION')!.getArray()!;
+    body.renderVertices.forEach((vertex, i) => {
+      for (let c = 0; c < 3; ++c)
+        expect(Math.fround(body.mesh.positions[3 * vertex + c])).toBe(positions[3 * i + c]);
+    });
   });
 });
 

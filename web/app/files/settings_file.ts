@@ -56,10 +56,11 @@ const labelOf = ({ solver }: SettingsFile): string => profileOf(solver).label;
 
 function show(name: string, file: SettingsFile, { engine, faces, originalFaces }: AskedBySettings): void {
   const { solver, tune, units } = file;
-  const own = results.body.value!.inspection.faces;
+  const { inspection, scale } = results.body.value!;
+  const own = inspection.faces;
   const isSame = own === originalFaces;
   batch(() => {
-    changeSettings({ solver, tune, engine, massRule: 'auto', unit: units.length });
+    changeSettings({ solver, tune, engine, massRule: 'auto', unit: units.length / scale });
     if (isSame) keepFaces(faces);
     twin.wantsTuned.value = true;
     wants.exportOpen.value = false;

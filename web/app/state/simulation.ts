@@ -114,14 +114,19 @@ function closeWorker(): void {
 function invalidate(): void {
   startNumber += 1;
   twin.numbers.value = null;
+  clearSamples();
+}
+
+function clearSamples(): void {
+  twin.samples.value = recorded = [];
+  twin.worst.value = 0;
 }
 
 /** Removes the frames of the last simulation. */
 function clearFrames(): void {
   startNumber += 1;
   twin.frame.value = twin.numbers.value = null;
-  twin.samples.value = recorded = [];
-  twin.worst.value = 0;
+  clearSamples();
 }
 
 /** How the scene turns the shown body. */

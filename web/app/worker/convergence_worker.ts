@@ -3,6 +3,7 @@
 import { expose } from 'comlink';
 import { loadCore } from '../../engine/core/load_core';
 import type { Convergence } from '../../engine/motion/convergence';
+import { calibrationOf } from '../../engine/motion/simulation';
 import type { TwinSetup } from './simulation_protocol';
 import { standingSetup } from './standing_setup';
 import { twinOptions } from './twin_options';
@@ -16,8 +17,14 @@ const api: ConvergenceApi = {
   measure: async (wasmFolder, asked) => {
     const setup = standingSetup(asked);
     const core = await loadCore({ wasmFolder, threads: 1 });
-    const { original, result } = setup;
-    const options = { ...twinOptions(setup), records: false, binding: core.bindToResult(original, result) };
+    const { original, result, size, settings } = setup;
+    const isCalibrated = settings.calibrate && settings.solver === 'none';
+    const options = {
+      ...twinOptions(setup),
+      calibration: isCalibrated ? calibrationOf(core, { ...size, mesh: original }, result.mesh, settings) : 1,
+      records: false,
+      binding: core.bindToResult(original, result),
+    };
     const { substeps, substepDeviation, deviationMean, isConverged } = core.compareMotion(
       original,
       result.mesh,

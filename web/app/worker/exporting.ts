@@ -65,7 +65,8 @@ export async function exportForGeneric(
   const targets = [...request.targets];
   plain.results().forEach(({ mesh }, n) => (targets[file.usable[n].i] = faceCount(mesh)));
   // A target for the frequencies of a solver would give each of them another mesh.
-  const settings = { ...request.settings, maxFrequencyError: 0 };
+  // Further levels are not in the archive.
+  const settings = { ...request.settings, maxFrequencyError: 0, lods: [] };
   const stem = name.replace(/(\.(glb|gltf|obj|ply))?(\.zip)?$/, '');
   const files: Record<string, Uint8Array> = { [name]: bytes };
   for (const solver of GENERIC_SOLVERS) {

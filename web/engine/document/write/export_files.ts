@@ -76,7 +76,8 @@ async function filesOf(
   const { libraries, carried } = model;
   if (format === 'obj') return writeObj(document, name, { libraries, carried, mark: GENERATOR });
   const inserted = manner.style === 'files' ? [] : insertLevels(document, levels, manner.style);
-  await compressFor(model, document, { stored, manner, replaced });
+  const isMoved = firsts.some((first) => first?.settings !== undefined);
+  await compressFor(model, document, { stored, manner, replaced, isMoved });
   const additions = {
     ...additionsOf(model, firsts),
     levels: inserted,
@@ -90,10 +91,18 @@ async function filesOf(
 const storedAs = (compression: Compression, input: Stored = { kind: 'none' }): Stored =>
   compression === 'like-input' ? input : { kind: compression };
 
+interface Compressed {
+  stored: Stored;
+  manner: OutputManner;
+  replaced: ReadonlySet<Primitive>;
+  /** whether a solver moves meshes of the file, by settings in the space that these meshes have now */
+  isMoved: boolean;
+}
+
 function compressFor(
   model: OpenModel,
   document: Document,
-  { stored, manner, replaced }: { stored: Stored; manner: OutputManner; replaced: ReadonlySet<Primitive> },
+  { stored, manner, replaced, isMoved }: Compressed,
 ): Promise<void> {
   const hasAllBinds = document
     .getRoot()
@@ -105,7 +114,7 @@ function compressFor(
     quantizes: manner.compression !== 'like-input',
     keepsOrder: manner.keepsOrder,
     replaced,
-    keepsNodes: !!model.foreign || !hasAllBinds,
+    keepsNodes: !!model.foreign || !hasAllBinds || isMoved,
   });
 }
 
