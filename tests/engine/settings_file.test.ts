@@ -71,7 +71,7 @@ describe('a settings file', () => {
     expect(body.mesh.positions.map(Math.fround)).toEqual([...mesh.positions]);
     expect(body.stretch.pairs).toEqual([0, 1, 1, 2, 0, 2, 2, 3, 1, 3]);
     expect(body.bend.pairs).toEqual([0, 3]);
-    expect(body.mass).toEqual({ rule: 'area', perVertex: [1, 2, 2, 0.333333333] });
+    expect(body.mass).toEqual({ rule: 'area', original: 'area', perVertex: [1, 2, 2, 0.333333333] });
     expect(body.pins).toEqual([1, 3]);
     expect(body.stretch.constant).toBeCloseTo(1.25 * body.original.stretch, 5);
     expect(body.bend.constant).toBeCloseTo(0.5 * body.original.bend, 5);
@@ -115,6 +115,10 @@ describe('a damaged settings file', () => {
       'has triangles that name vertices it does not have for "sheet"',
     ],
     [damaged((body) => body.mass.perVertex.pop()), 'has not one mass above 0 for each vertex for "sheet"'],
+    [
+      damaged((body) => Object.assign(body.mass, { original: 'equal' })),
+      'has a rule of masses that is neither area nor vertex for "sheet"',
+    ],
     [damaged((body) => (body.mass.perVertex[0] = 0)), 'has not one mass above 0 for each vertex for "sheet"'],
     [damaged((body) => body.stretch.pairs!.pop()), 'has damaged constraints against stretching for "sheet"'],
     [damaged((body) => (body.bend.factors = [1, 2])), 'has damaged constraints against bending for "sheet"'],

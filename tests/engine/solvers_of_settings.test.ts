@@ -81,6 +81,13 @@ describe('the settings of a mesh that was read from its own file', () => {
     });
   });
 
+  it('leave the original its rule of masses', () => {
+    const body = entry();
+    body.mass.original = 'vertex';
+    const { original, result } = solversFor(body);
+    expect([original.model.mass, result.model.mass]).toEqual(['vertex', 'area']);
+  });
+
   it('spread maps of vertices over the constraints', () => {
     const body = entry();
     const field = Array.from({ length: count }, (_, v) => 1 + turned(v));

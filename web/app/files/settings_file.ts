@@ -56,11 +56,13 @@ const labelOf = ({ solver }: SettingsFile): string => profileOf(solver).label;
 
 function show(name: string, file: SettingsFile, { engine, faces, originalFaces }: AskedBySettings): void {
   const { solver, tune, units } = file;
+  const rule = file.bodies[0].mass.original ?? 'auto';
+  const massRule = rule === profileOf(solver).mass ? 'auto' : rule;
   const { inspection, scale } = results.body.value!;
   const own = inspection.faces;
   const isSame = own === originalFaces;
   batch(() => {
-    changeSettings({ solver, tune, engine, massRule: 'auto', unit: units.length / scale });
+    changeSettings({ solver, tune, engine, massRule, unit: units.length / scale });
     if (isSame) keepFaces(faces);
     twin.wantsTuned.value = true;
     wants.exportOpen.value = false;

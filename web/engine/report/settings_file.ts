@@ -42,7 +42,8 @@ export interface BodySettings extends RoleValues {
   mesh: { positions: number[]; triangles: number[] };
   /** per vertex of each primitive of the file, in order: the vertex of `mesh`; -1 where no usable face has it */
   renderVertices: number[];
-  mass: { rule: 'area' | 'vertex'; perVertex: number[] };
+  /** `original`: the rule by which the original has its masses; files of the first versions lack it */
+  mass: { rule: 'area' | 'vertex'; original?: 'area' | 'vertex'; perVertex: number[] };
   /** factors per vertex */
   vertex?: { stretch: number[]; bend: number[] };
   stretch: StretchSettings;
@@ -129,7 +130,7 @@ export function bodySettings({ name, level, renderVertices, tuned: body }: Settl
     ...{ name, level, unit: result.constants.unit },
     mesh: { positions: list(body.mesh.positions), triangles: [...body.mesh.triangles] },
     renderVertices,
-    mass: { rule: body.massRule, perVertex: list(tuned.masses) },
+    mass: { rule: body.massRule, original: body.model.mass, perVertex: list(tuned.masses) },
     ...(hasMaps ? { vertex: { stretch: list(tuned.stretchField), bend: list(tuned.bendField) } } : {}),
     stretch: stretchSettings(body),
     bend: bendSettings(body),

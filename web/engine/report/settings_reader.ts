@@ -27,6 +27,10 @@ const CHECKS: readonly Check[] = [
       : 'render vertices that name vertices it does not have',
   ({ mass }, vertices) =>
     isPositive(mass.perVertex, vertices) ? null : 'not one mass above 0 for each vertex',
+  ({ mass }) =>
+    [undefined, 'area', 'vertex'].includes(mass.original)
+      ? null
+      : 'a rule of masses that is neither area nor vertex',
   ({ vertex }, vertices) =>
     !vertex || (isPositive(vertex.stretch, vertices) && isPositive(vertex.bend, vertices))
       ? null

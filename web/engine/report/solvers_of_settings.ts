@@ -34,7 +34,7 @@ export function solversOfSettings(
   const model = modelOf(profile, entry.mass.rule);
   const constants = profile.constants(entry.original, facts);
   return {
-    original: { model: modelOf(profile, 'auto'), constants },
+    original: { model: modelOf(profile, entry.mass.original ?? 'auto'), constants },
     result: solverOfEntry(entry, model, result),
   };
 }
