@@ -27,9 +27,8 @@ namespace limber {
 //    |sigma| and counts as zero, inertia tells why. If some eigenvalues are above 1e-8 |sigma|, the shift is
 //    too large to tell them from zero and becomes 1e-4 sigma. If none is, all of them are zero, and more than
 //    were sought: then a positive shift between them and lambda_1 finds what is above them.
-// 3. Block inverse iteration with Rayleigh-Ritz until the residuals are small or stop falling; not for a
-// rough
-//    search that has converged.
+// 3. Block inverse iteration with Rayleigh-Ritz until the residuals are small or stop falling. A rough search
+//    that has converged goes without it.
 // 4. Completeness by Sylvester's law of inertia: the negative pivots of K - s M, with s in a gap above the
 //    last wanted pair (the first of 1 %, or else the widest), count the eigenvalues below s. If some are
 //    missing, those that are zero are counted with s below lambda_1, and if the search has missed members of

@@ -12,7 +12,7 @@ from models import Body, hinge_areas, hinge_lengths, hinges_stiffness, membrane
 wp.config.quiet = True
 NAME = "newton"
 # VBD solves one vertex after the other, and converges slowly where stiffness x step^2 / mass is large: its steps are this
-# many times shorter than the scene's. Half of these steps move bodies by a seventh of what tuned meshes are off.
+# many times shorter than the scene's. Half of that moves Spot by 0.03 % of its size in its small sway.
 SUBSTEPS = 32
 ITERATIONS = 4
 

@@ -153,7 +153,8 @@ def motion_table(cells):
             for state in ("untouched", "tuned"):
                 if (mesh, scene) in complete:
                     gathered[method, state].append(median(states[state]))
-        row.append(" / ".join(number(cell[floor]["floor"]) for floor in FLOORS if floor in cell))
+        floors = [number(cell[floor]["floor"]) if floor in cell else "-" for floor in FLOORS]
+        row.append(" / ".join(floors) if any(floor in cell for floor in FLOORS) else "")
         rows.append(row)
     head = ["", *methods, "renumbered / half the step"]
     if not complete:
