@@ -7,13 +7,13 @@
     builder.color(include_bending=True)
     model = builder.finalize()
     model.soft_contact_mu = body["friction"]
-    touch = body["selfCollisionDistance"]
-    solver = newton.solvers.SolverVBD(
-        model, iterations=int(body["engine"]["iterations"]), particle_enable_self_contact=True,
-        particle_self_contact_margin=touch, particle_self_contact_gap=touch / 2)
+    solver = newton.solvers.SolverVBD(model, iterations=int(body["engine"]["iterations"]), particle_enable_self_contact=False)
 
 Then, for a frame of 1/60 s, call solver.step body["substeps"] times with 1 / 60 / body["substeps"] s: with longer steps VBD
 makes cloth far too soft.
+
+For contact with itself pass particle_enable_self_contact=True, particle_self_contact_margin=d and particle_self_contact_gap=d / 2,
+where d is body["selfCollisionDistance"], but well below the shortest edge: neighbours that are nearer push each other apart.
 """
 
 import newton
