@@ -26,7 +26,7 @@ def load_mujoco(settings, index=0, timestep=0.002):
 
 def mjcf(body, timestep=0.002):
     """The MJCF text of one body, its first frame at rest. The axes are those of the file: gravity is along -y."""
-    engine = {**body["engine"]}
+    engine = body["engine"]
     unit = body.get("unit", 1)
     points = " ".join(f"{unit * x:.9g}" for x in body["mesh"]["positions"])
     triangles = " ".join(map(str, body["mesh"]["triangles"]))

@@ -8,7 +8,6 @@ const folder = join(import.meta.dirname, '..', '..', 'dist', 'app');
 const types = {
   '.html': 'text/html',
   '.js': 'text/javascript',
-  '.mjs': 'text/javascript',
   '.css': 'text/css',
   '.json': 'application/json',
   '.svg': 'image/svg+xml',

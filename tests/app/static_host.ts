@@ -10,7 +10,6 @@ import { extname, join, normalize } from 'node:path';
 const types: Record<string, string> = {
   '.html': 'text/html',
   '.js': 'text/javascript',
-  '.mjs': 'text/javascript',
   '.css': 'text/css',
   '.json': 'application/json',
   '.svg': 'image/svg+xml',
@@ -30,13 +29,13 @@ export interface StaticHost {
 
 const PREFIX = '/tools/limber/';
 
-/** `built`: the folder below `dist` that is served; `isPlain`: by a host that shows no index.html for a folder and has no type for .mjs and .wasm. */
+/** `built`: the folder below `dist` that is served; `isPlain`: by a host that shows no index.html for a folder and has no type for .wasm. */
 export async function startHost(built: 'app' | 'site' = 'app', isPlain = false): Promise<StaticHost> {
   const folder = mkdtempSync(join(tmpdir(), 'limber-host-'));
   cpSync(join(import.meta.dirname, '..', '..', 'dist', built), folder, { recursive: true });
   const index = isPlain ? 'none' : 'index.html';
   const typeOf = (ending: string) =>
-    (isPlain && /mjs|wasm/.test(ending) ? undefined : types[ending]) ?? 'application/octet-stream';
+    (isPlain && ending === '.wasm' ? undefined : types[ending]) ?? 'application/octet-stream';
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url!, 'http://localhost').pathname);
     const name = path.startsWith(PREFIX) ? path.slice(PREFIX.length) || index : 'none';

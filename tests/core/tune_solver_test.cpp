@@ -48,6 +48,13 @@ const TriangleMesh& coarseBody() {
   return mesh;
 }
 
+void expectUntuned(const Tuned& tuned, FrequencyStatus status) {
+  EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
+  EXPECT_EQ(tuned.frequencyStatus, status);
+  EXPECT_EQ(tuned.bendFactor, 1);
+  EXPECT_EQ(tuned.stretchFactor, 1);
+}
+
 std::string refusalOf(const TriangleMesh& original, const TriangleMesh& result) {
   Job job;
   try {
@@ -206,10 +213,7 @@ TEST(TuneSolver, FitsNothingToALargeFlatSheetOfSprings) {
       options.pinnedResult = {0, 20};
     }
     const Tuned tuned = tuneSolver(sheet, coarse, options, job);
-    EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
-    EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoResistance);
-    EXPECT_EQ(tuned.bendFactor, 1);
-    EXPECT_EQ(tuned.stretchFactor, 1);
+    expectUntuned(tuned, FrequencyStatus::NoResistance);
   }
 }
 
@@ -223,10 +227,7 @@ TEST(TuneSolver, FitsNothingToSheetsThatSwingAboutAnEdge) {
       SCOPED_TRACE(kModels[model].first);
       const Tuned tuned =
           tuneSolver(original, coarse, optionsFor(kModels[model].second, original, TuneKind::Global), job);
-      EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
-      EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoResistance);
-      EXPECT_EQ(tuned.bendFactor, 1);
-      EXPECT_EQ(tuned.stretchFactor, 1);
+      expectUntuned(tuned, FrequencyStatus::NoResistance);
     }
   }
 }
@@ -243,9 +244,7 @@ TEST(TuneSolver, FitsNothingToASheetWhoseHingesResistNothing) {
       TuneOptions options = optionsFor(kModels[model].second, sheet, TuneKind::Global);
       options.original.bend = options.result.bend = 0;
       const Tuned tuned = tuneSolver(sheet, coarse, options, job);
-      EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
-      EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoResistance);
-      EXPECT_EQ(tuned.bendFactor, 1);
+      expectUntuned(tuned, FrequencyStatus::NoResistance);
     }
   }
 }
@@ -273,9 +272,7 @@ TEST(TuneSolver, FitsNothingWhereNoSearchForModesConverges) {
     options.original.bend *= 1e-12;
     options.result.bend *= 1e-12;
     const Tuned tuned = tuneSolver(sheet, coarse, options, job);
-    EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
-    EXPECT_EQ(tuned.frequencyStatus, FrequencyStatus::NoConvergence);
-    EXPECT_EQ(tuned.bendFactor, 1);
+    expectUntuned(tuned, FrequencyStatus::NoConvergence);
   }
 }
 

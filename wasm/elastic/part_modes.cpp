@@ -32,17 +32,11 @@ constexpr int kRefineSteps = 4;
 // decides, so that rounding does not.
 constexpr double kTie = 1e-9;
 
-std::vector<Vec3> pinnedPoints(const Part& part) {
-  std::vector<Vec3> points;
-  for (uint32_t v : part.pinned) points.push_back(part.mesh.positions[v]);
-  return points;
-}
-
 // The modes of a part from a solution; displacement(v, k) returns that of vertex v in pair k.
 template <class Displacement>
 PartModes gather(const Part& part, const EigenSolution& solution, const Displacement& displacement) {
   PartModes modes;
-  modes.zeroModesExpected = rigidMotionsLeft(pinnedPoints(part));
+  modes.zeroModesExpected = rigidMotionsLeft(part.mesh, part.pinned);
   modes.zeroModesFound = solution.nullity;
   modes.residual = solution.residual;
   modes.axis.assign(solution.residual.size(), -1);
@@ -75,7 +69,7 @@ class PartShell {
         topology_(beginAssembly(part, job)),
         shell_(part.mesh, topology_,
                {options.material.poisson, kRoughTolerance, kRefineSteps, part.pinned,
-                static_cast<int>(rigidMotionsLeft(pinnedPoints(part)))},
+                static_cast<int>(rigidMotionsLeft(part.mesh, part.pinned))},
                job),
         request_{options.material.thickness / part.diagonal, options.modeCount} {}
 
@@ -115,7 +109,7 @@ PartModes solveSolid(const Part& part, const ModesOptions& options, Job& job) {
     addPointSpring(solid.pencil,
                    {&solid.embeddingNodes[8 * size_t{v}], &solid.embeddingWeights[8 * size_t{v}]},
                    kPinStiffness * solid.cellSize);
-  const auto zeros = static_cast<int>(rigidMotionsLeft(pinnedPoints(part)));
+  const auto zeros = static_cast<int>(rigidMotionsLeft(part.mesh, part.pinned));
   const EigenSolution solution = solveModes(solid.pencil, {options.modeCount, zeros, kSolidScale}, job);
   return gather(part, solution, [&](uint32_t v, Eigen::Index k) {
     Vec3 sum;

@@ -24,6 +24,12 @@ uint32_t rigidMotionsLeft(const std::vector<Vec3>& points) {
   return isLine ? 1 : 0;
 }
 
+uint32_t rigidMotionsLeft(const TriangleMesh& mesh, std::span<const uint32_t> pinned) {
+  std::vector<Vec3> points;
+  for (const uint32_t v : pinned) points.push_back(mesh.positions[v]);
+  return rigidMotionsLeft(points);
+}
+
 void clampUnknowns(SparsePencil& pencil, const std::vector<uint32_t>& unknowns) {
   std::vector<uint8_t> isClamped(pencil.unknownCount(), 0);
   for (uint32_t u : unknowns) isClamped[u] = 1;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/vec3.h"
 #include "linear/sparse_pencil.h"
+#include "mesh/triangle_mesh.h"
 
 namespace limber {
 
@@ -12,6 +14,8 @@ namespace limber {
 // point, 1 if all points lie on a line, otherwise 0. Points closer than 1e-6 coincide, so the body should be
 // of size 1.
 uint32_t rigidMotionsLeft(const std::vector<Vec3>& points);
+// The same while these vertices of a mesh are.
+uint32_t rigidMotionsLeft(const TriangleMesh& mesh, std::span<const uint32_t> pinned);
 
 // Fixes unknowns at 0: they lose their couplings and their mass. The pattern of K does not change.
 void clampUnknowns(SparsePencil& pencil, const std::vector<uint32_t>& unknowns);

@@ -33,13 +33,9 @@ std::vector<EdgeList> splitEdges(const EdgeList& edges, const MeshParts& parts,
 // no vertex to move.
 PinnedVertices pinnedIn(const MeshParts::Part& part, const std::vector<uint8_t>& isPinned) {
   std::vector<uint32_t> pinned;
-  std::vector<Vec3> points;
   for (uint32_t v = 0; v < part.vertices.size(); ++v)
-    if (isPinned[part.vertices[v]]) {
-      pinned.push_back(v);
-      points.push_back(part.mesh.positions[v]);
-    }
-  const bool isFixed = rigidMotionsLeft(points) == 0 && pinned.size() < part.vertices.size();
+    if (isPinned[part.vertices[v]]) pinned.push_back(v);
+  const bool isFixed = rigidMotionsLeft(part.mesh, pinned) == 0 && pinned.size() < part.vertices.size();
   return isFixed ? PinnedVertices(std::move(pinned)) : PinnedVertices();
 }
 

@@ -41,12 +41,6 @@ std::vector<uint32_t> coarsePins(const Part& original, const MeshAt& at) {
   return pins;
 }
 
-uint32_t motionsLeftBy(const TriangleMesh& mesh, const std::vector<uint32_t>& pins) {
-  std::vector<Vec3> points;
-  for (const uint32_t v : pins) points.push_back(mesh.positions[v]);
-  return rigidMotionsLeft(points);
-}
-
 // The vertex beside v, of those that are not pinned, that is nearest to a point; kNone if all are pinned.
 uint32_t nearestBeside(const TriangleMesh& mesh, uint32_t v, const Vec3& point,
                        const std::vector<uint32_t>& pins) {
@@ -68,12 +62,12 @@ uint32_t nearestBeside(const TriangleMesh& mesh, uint32_t v, const Vec3& point,
 void matchRigidMotions(const Part& original, CoarsePart& coarse) {
   TriangleMesh& mesh = coarse.part.mesh;
   std::vector<uint32_t>& pins = coarse.part.pinned;
-  const uint32_t wanted = motionsLeftBy(original.mesh, original.pinned);
-  if (motionsLeftBy(mesh, pins) < wanted)
+  const uint32_t wanted = rigidMotionsLeft(original.mesh, original.pinned);
+  if (rigidMotionsLeft(mesh, pins) < wanted)
     for (const uint32_t v : original.pinned)
       mesh.positions[coarse.vertexOfInput[v]] = original.mesh.positions[v];
   for (const uint32_t v : original.pinned) {
-    if (motionsLeftBy(mesh, pins) <= wanted) break;
+    if (rigidMotionsLeft(mesh, pins) <= wanted) break;
     const uint32_t beside = nearestBeside(mesh, coarse.vertexOfInput[v], original.mesh.positions[v], pins);
     if (beside != kNone) pins.push_back(beside);
   }

@@ -35,7 +35,6 @@ async function hashOf(bytes: ArrayBuffer): Promise<string> {
 /** Types by ending that browsers insist on and that some hosts do not know: modules are not run, and WebAssembly is slow to compile. */
 const TYPES: Record<string, string> = {
   js: 'text/javascript',
-  mjs: 'text/javascript',
   wasm: 'application/wasm',
 };
 

@@ -3,10 +3,9 @@
 import { expose } from 'comlink';
 import { loadCore } from '../../engine/core/load_core';
 import type { Convergence } from '../../engine/motion/convergence';
-import { calibrationOf } from '../../engine/motion/simulation';
 import type { TwinSetup } from './simulation_protocol';
 import { standingSetup } from './standing_setup';
-import { twinOptions } from './twin_options';
+import { calibrationFor, twinOptions } from './twin_options';
 
 export interface ConvergenceApi {
   /** Moves both bodies through the whole scenario, and the original once more with twice the substeps. */
@@ -17,11 +16,10 @@ const api: ConvergenceApi = {
   measure: async (wasmFolder, asked) => {
     const setup = standingSetup(asked);
     const core = await loadCore({ wasmFolder, threads: 1 });
-    const { original, result, size, settings } = setup;
-    const isCalibrated = settings.calibrate && settings.solver === 'none';
+    const { original, result } = setup;
     const options = {
       ...twinOptions(setup),
-      calibration: isCalibrated ? calibrationOf(core, { ...size, mesh: original }, result.mesh, settings) : 1,
+      calibration: calibrationFor(core, setup),
       records: false,
       binding: core.bindToResult(original, result),
     };

@@ -3,13 +3,13 @@
 import { expose, transfer } from 'comlink';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
-import { calibrationOf, STEP_SECONDS } from '../../engine/motion/simulation';
+import { STEP_SECONDS } from '../../engine/motion/simulation';
 import { Twin } from '../../engine/motion/twin';
 import { keepAlive } from './life';
 import { TwinPlayer } from './simulation_player';
 import type { ShowFrame, SimulationApi, TwinFrame, TwinSetup } from './simulation_protocol';
 import { standingSetup } from './standing_setup';
-import { twinOptions } from './twin_options';
+import { calibrationFor, isCalibrated, twinOptions } from './twin_options';
 
 let core: Core;
 let player: TwinPlayer | null = null;
@@ -28,12 +28,12 @@ function moved(frame: TwinFrame): TwinFrame {
 
 let calibrated = { key: '', factor: 1 };
 
-/** The last calibration is kept: it takes a while and depends on no setting of the simulation. Solvers are tuned instead. */
-function calibrationFor({ original, result, meshKey, size, settings }: TwinSetup): number {
-  if (!settings.calibrate || settings.solver !== 'none') return 1;
+/** The last calibration is kept: it takes a while and depends on no setting of the simulation. */
+function keptCalibration(setup: TwinSetup): number {
+  if (!isCalibrated(setup)) return 1;
+  const { meshKey, settings } = setup;
   const key = `${meshKey} ${settings.thickness} ${settings.poisson}`;
-  if (calibrated.key !== key)
-    calibrated = { key, factor: calibrationOf(core, { ...size, mesh: original }, result.mesh, settings) };
+  if (calibrated.key !== key) calibrated = { key, factor: calibrationFor(core, setup) };
   return calibrated.factor;
 }
 
@@ -41,7 +41,7 @@ function makeTwin(setup: TwinSetup): Twin {
   const { original, result, size } = setup;
   return new Twin(core, original, result, {
     ...twinOptions(setup),
-    calibration: calibrationFor(setup),
+    calibration: keptCalibration(setup),
     diagonal: size.diagonal,
     measuresNoise: true,
   });

@@ -1,7 +1,7 @@
 /** What a setup of the Test step asks of both bodies, for their motion and for its check. */
 
-import type { SimulatedSolver, SimulationOptions } from '../../engine/core/core';
-import { simulationOptions, solversAsTheyAre } from '../../engine/motion/simulation';
+import type { Core, SimulatedSolver, SimulationOptions } from '../../engine/core/core';
+import { calibrationOf, simulationOptions, solversAsTheyAre } from '../../engine/motion/simulation';
 import { tunedSolvers } from '../../engine/solvers/solver_pair';
 import type { TwinSetup } from './simulation_protocol';
 
@@ -16,3 +16,13 @@ export function twinOptions(setup: TwinSetup): SimulationOptions & { otherSolver
     otherSolver: solvers?.result ?? null,
   };
 }
+
+/** Solvers are tuned instead. */
+export const isCalibrated = ({ settings }: TwinSetup): boolean =>
+  settings.calibrate && settings.solver === 'none';
+
+/** What Young's modulus of the result is multiplied by. */
+export const calibrationFor = (core: Core, setup: TwinSetup): number => {
+  const { original, result, size, settings } = setup;
+  return isCalibrated(setup) ? calibrationOf(core, { ...size, mesh: original }, result.mesh, settings) : 1;
+};

@@ -1,6 +1,6 @@
 /** The settings file: what a solver needs to move an optimized mesh as it moves the original. See docs/formats.md. */
 
-import type { TunedFrequencies, TunedMotion, TuneKind } from '../core/core';
+import type { MassRule, TunedFrequencies, TunedMotion, TuneKind } from '../core/core';
 import { VERSION } from '../core/version';
 import type { ExportedSettings } from '../document/export';
 import { totalMass, valueOfRole } from '../solvers/profile';
@@ -43,7 +43,7 @@ export interface BodySettings extends RoleValues {
   /** per vertex of each primitive of the file, in order: the vertex of `mesh`; -1 where no usable face has it */
   renderVertices: number[];
   /** `original`: the rule by which the original has its masses; files of the first versions lack it */
-  mass: { rule: 'area' | 'vertex'; original?: 'area' | 'vertex'; perVertex: number[] };
+  mass: { rule: MassRule; original?: MassRule; perVertex: number[] };
   /** factors per vertex */
   vertex?: { stretch: number[]; bend: number[] };
   stretch: StretchSettings;

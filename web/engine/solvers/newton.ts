@@ -6,8 +6,8 @@
  * that a coarse mesh is stiffer by its edges. tri_kd acts per area and edge_kd per length of the edge, both on rates; they follow
  * the stiffness, so that the damping ratio stays. `density` is kg/m2; masses are a third of the triangles around
  * (ModelBuilder.add_cloth_mesh). Triangles, edges and particles can have values of their own. VBD solves
- * one vertex after the other: where a substep is no longer than the inverse of the fastest vibration an iteration leaves a third of the
- * error, and with longer ones cloth is far too soft however many `iterations` there are in practice.
+ * one vertex after the other: where a substep is no longer than the inverse of the fastest vibration, an iteration leaves about a
+ * third of the error at most; with substeps that are much longer no practical number of `iterations` keeps cloth from being too soft.
  */
 
 import { hingeOfPlate, plateConstants } from './plate';
