@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { engineOfText } from '../../web/cli/engine_file';
+import { settingsFile, writeSettings } from '../../web/engine/report/settings_file';
+import { tunedBody } from './support/tuned_sheet';
 
 describe("a file of an engine's parameters", () => {
   it('is an object of numbers, or lines of name=value with comments', () => {
@@ -12,12 +14,20 @@ describe("a file of an engine's parameters", () => {
   });
 
   it('is a settings file, of which it takes what the original had, not what was tuned', () => {
-    const settings = {
-      schema: 'limber-settings/1',
-      engine: { compliance: 2e-4, friction: 0.3 },
-      original: { vertices: 4, totalMass: 2, stretch: 1e4, bend: 1, compliance: 1e-4, friction: 0.2 },
-    };
-    expect(engineOfText('s.json', JSON.stringify(settings))).toBe('compliance=0.0001,friction=0.2');
+    const settings = settingsFile([
+      { name: 'sheet', level: 0, renderVertices: [0, 1, 2, 3], tuned: tunedBody('jolt') },
+    ]);
+    const { original, engine } = settings;
+    const text = engineOfText('s.json', writeSettings(settings));
+    expect(text).toBe(
+      Object.keys(engine)
+        .map((name) => `${name}=${original[name]}`)
+        .join(','),
+    );
+    expect(original.compliance).not.toBe(engine.compliance);
+    expect(() => engineOfText('s.json', JSON.stringify({ ...settings, bodies: [] }))).toThrow(
+      's.json is not a limber-settings/1: write it again with limber optimize --settings.',
+    );
   });
 
   it('says what is not a number, and where', () => {

@@ -1,53 +1,14 @@
 /** The settings file says what a tuning has found, and is read back as it was written. */
 
 import { describe, expect, it } from 'vitest';
-import type { Tuned } from '../../web/engine/core/core';
+import { originalParameters } from '../../web/engine/report/original_parameters';
 import { exportedSettings, settingsFile, writeSettings } from '../../web/engine/report/settings_file';
 import type { SettingsFile } from '../../web/engine/report/settings_file';
 import { readSettingsFile } from '../../web/engine/report/settings_reader';
 import { describeTuning, solverReport } from '../../web/engine/report/solver_report';
-import { nativeValues } from '../../web/engine/solvers/profile';
-import { profileOf } from '../../web/engine/solvers/profiles';
 import type { SolverName } from '../../web/engine/solvers/profiles';
-import { statesOf, tunedConstants } from '../../web/engine/solvers/tuned_body';
 import type { TunedBody } from '../../web/engine/solvers/tuned_body';
-import { grid } from './support/shapes';
-
-const MATERIAL = { young: 1e5, poisson: 0.3, density: 500, thickness: 0.01, bendRatio: 0.05 };
-const [original, mesh] = [grid(4, 4), grid(1, 1)];
-
-/** A sheet of two triangles, as if it were tuned to a finer one. */
-function tunedBody(solver: SolverName, change: Partial<Tuned> = {}): TunedBody {
-  const profile = profileOf(solver);
-  const isNet = profile.stretch === 'edge-springs';
-  const states = statesOf(profile, { original, result: mesh, unit: 1 }, { material: MATERIAL, given: {} });
-  const tuned: Tuned = {
-    stretchFactor: 1.25,
-    bendFactor: 0.5,
-    stretchField: new Float64Array(),
-    bendField: new Float64Array(),
-    stretchFactors: new Float64Array(),
-    bendFactors: new Float64Array(),
-    masses: Float64Array.of(1, 2, 2, 1 / 3),
-    stretchVertices: isNet ? Uint32Array.of(0, 1, 1, 2, 0, 2, 2, 3, 1, 3) : mesh.triangles,
-    bendVertices: profile.bend === 'cross-springs' ? Uint32Array.of(0, 3) : Uint32Array.of(1, 2, 0, 3),
-    frequencies: { errorUntouched: 40, errorTuned: 5, errorUnseen: 7, errorOtherPins: 8 },
-    frequencyStatus: 'found',
-    motionRefusal: '',
-    motion: { scene: 'sway', untouched: 1.5, tuned: 0.4, noiseFloor: 0.01, kept: 'tuned' },
-    ...change,
-  };
-  const constants = tunedConstants(states.original, states.untouched, tuned);
-  const { facts } = states.untouched;
-  return {
-    ...{ solver, tune: 'global', massRule: profile.takes.vertexMasses ? 'area' : 'vertex', mesh, tuned },
-    model: { stretch: profile.stretch, bend: profile.bend, mass: profile.mass },
-    original: states.original,
-    result: { values: nativeValues(profile, states.original, { constants, facts }), constants, facts },
-    pins: Uint32Array.of(1, 3),
-    substeps: 20,
-  };
-}
+import { tunedBody, TUNED_SHEET as mesh } from './support/tuned_sheet';
 
 const fileOf = (tuned: TunedBody): SettingsFile =>
   settingsFile([{ name: 'sheet', level: 0, renderVertices: [0, 1, 2, 2, 1, 3, -1], tuned }]);
@@ -114,6 +75,16 @@ describe('a damaged settings file', () => {
       damaged((body) => (body.mesh.triangles[2] = 9)),
       'has triangles that name vertices it does not have for "sheet"',
     ],
+    [
+      damaged((_, file) => Object.assign(file, { tune: 'face' })),
+      'has a tuning that is none of global, vertex, ',
+    ],
+    [damaged((_, file) => (file.units.length = 0)), 'has a unit that is no length'],
+    [damaged((body) => (body.unit = -1)), 'has a unit that is no length for "sheet"'],
+    [
+      damaged((body) => Object.assign(body.original, { faces: '32' })),
+      'has damaged numbers of the engine or of the original for "sheet"',
+    ],
     [damaged((body) => body.mass.perVertex.pop()), 'has not one mass above 0 for each vertex for "sheet"'],
     [
       damaged((body) => Object.assign(body.mass, { original: 'equal' })),
@@ -136,6 +107,21 @@ describe('a damaged settings file', () => {
     expect(() => readSettingsFile('s.json', text)).toThrow(
       /: write it again with limber optimize --settings\.$/,
     );
+  });
+});
+
+describe('parameters to tune the same model with again', () => {
+  it("are the original's, without those in which its bodies differ, which were defaults of each mesh", () => {
+    const file = fileOf(tunedBody('jolt'));
+    const all = originalParameters(file);
+    expect(Object.keys(all)).toEqual(Object.keys(file.engine));
+    expect(all.compliance).toBe(file.original.compliance);
+    const [body] = file.bodies;
+    const smaller = { ...body, original: { ...body.original, compliance: body.original.compliance / 2 } };
+    const others = Object.keys(all).filter((name) => name !== 'compliance');
+    expect(Object.keys(originalParameters({ ...file, bodies: [body, smaller] }))).toEqual(others);
+    const further = { ...smaller, level: 1 };
+    expect(originalParameters({ ...file, bodies: [body, further] })).toEqual(all);
   });
 });
 

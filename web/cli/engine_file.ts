@@ -1,7 +1,11 @@
 /** The user's own parameters of an engine from a file: a JSON object, lines of name=value, or a settings file's original. */
 
 import { existsSync } from 'node:fs';
+import { basename } from 'node:path';
 import { excerpt, quotedJson } from '../engine/core/words';
+import { originalParameters } from '../engine/report/original_parameters';
+import { readSettingsFile } from '../engine/report/settings_reader';
+import type { NativeValues } from '../engine/solvers/profile';
 import { UsageError } from './failure';
 import { readText } from './input_files/read_file';
 
@@ -32,20 +36,21 @@ function textOfJson(file: string, text: string): string {
   } catch {
     throw new UsageError(`${file} is not JSON: give an object of numbers, or lines of name=value.`);
   }
-  const entries = Object.entries(originalOf(values as object));
+  const entries = Object.entries(isSettingsFile(values) ? originalOf(file, text) : (values as object));
   const wrong = entries.find(([, value]) => typeof value !== 'number');
   if (wrong)
     throw new UsageError(`${file} has ${quotedJson(wrong[1])} for ${excerpt(wrong[0])}: give a number.`);
   return entries.map(([name, value]) => `${name}=${value}`).join(',');
 }
 
-/** What a settings file was tuned to: the numbers of its original, under the names of the engine. Other objects as they are. */
-function originalOf(values: object): object {
-  const { schema, engine, original } = values as Record<string, unknown>;
-  if (typeof schema !== 'string' || !schema.startsWith('limber-settings/')) return values;
-  if (typeof engine !== 'object' || typeof original !== 'object' || !engine || !original) return values;
-  return Object.fromEntries(Object.entries(original).filter(([name]) => name in engine));
-}
+const isSettingsFile = (values: unknown): boolean => {
+  const { schema } = values as Record<string, unknown>;
+  return typeof schema === 'string' && schema.startsWith('limber-settings/');
+};
+
+/** What a settings file was tuned to: the numbers of its original, under the names of the engine. */
+const originalOf = (file: string, text: string): NativeValues =>
+  originalParameters(readSettingsFile(basename(file), text));
 
 /** Lines may end in a comment after #. */
 const textOfLines = (text: string): string =>

@@ -92,8 +92,8 @@ export const BATCH_CONFIGS = [
 ];
 
 const body = '"name":"a","mesh":{"positions":[0,0,0,1,0,0,0,1,0],"triangles":[0,1,2]}';
-const file = (text: string, solver = '"jolt"'): string =>
-  `{"schema":"limber-settings/1","solver":${solver},"bodies":[{${text}}]}`;
+const file = (text: string, solver = '"jolt"', tune = '"global"', length = '1'): string =>
+  `{"schema":"limber-settings/1","solver":${solver},"tune":${tune},"units":{"length":${length}},"bodies":[{${text}}]}`;
 
 export const SETTINGS_FILES = [
   '',
@@ -104,6 +104,9 @@ export const SETTINGS_FILES = [
   '{"schema":"limber-settings/1","solver":"jolt","bodies":[]}',
   file('', '"unity"'),
   file('', '5'),
+  file('', '"jolt"', '"face"'),
+  file('', '"jolt"', '"global"', '0'),
+  '{"schema":"limber-settings/1","solver":"jolt","tune":"vertex","bodies":[{}]}',
   file(''),
   file('"name":5'),
   file(body),

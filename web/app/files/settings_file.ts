@@ -1,6 +1,7 @@
 /** Settings files brought back: the solver, its parameters and the number of faces that they were written for. */
 
 import { batch } from '@preact/signals';
+import { originalParameters } from '../../engine/report/original_parameters';
 import { readSettingsFile } from '../../engine/report/settings_reader';
 import type { SettingsFile } from '../../engine/report/settings_file';
 import type { SourceFile } from '../../engine/document/open';
@@ -20,20 +21,23 @@ export interface AskedBySettings {
   engine: string;
   /** faces of the first level, of all bodies */
   faces: number;
-  /** faces of the original's first body */
+  /** faces of the original, of all bodies */
   originalFaces: number;
 }
 
 /** Throws SettingError where the parameters are out of their range. */
-export function askedBy({ solver, original, bodies }: SettingsFile): AskedBySettings {
-  const names = profileOf(solver).parameters.map(({ name }) => name);
-  const given = Object.entries(original).filter(([name]) => names.includes(name));
-  const engine = engineText(Object.fromEntries(given));
-  engineValues(solver, engine);
-  const first = bodies.filter(({ level }) => level === bodies[0].level);
-  const faces = first.reduce((sum, { mesh }) => sum + mesh.triangles.length / 3, 0);
-  return { engine, faces, originalFaces: original.faces };
+export function askedBy(file: SettingsFile): AskedBySettings {
+  const engine = engineText(originalParameters(file));
+  engineValues(file.solver, engine);
+  const first = file.bodies.filter(({ level }) => level === file.bodies[0].level);
+  return {
+    engine,
+    faces: sum(first.map(({ mesh }) => mesh.triangles.length / 3)),
+    originalFaces: sum(first.map(({ original }) => original.faces)),
+  };
 }
+
+const sum = (values: number[]): number => values.reduce((total, value) => total + value, 0);
 
 /** Takes over what a settings file says, for the model that is open, and shows it moving. */
 export function applySettings({ name, bytes }: SourceFile): void {

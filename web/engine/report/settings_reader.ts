@@ -1,5 +1,6 @@
 /** Reads a settings file and checks it, so that what works with it need not. */
 
+import { OPTIONS } from '../settings/table';
 import { SOLVER_NAMES } from '../solvers/profiles';
 import { SETTINGS_SCHEMA } from './settings_file';
 import type { BodySettings, SettingsFile } from './settings_file';
@@ -18,7 +19,24 @@ const isIndices = (value: unknown, end: number, size = 1): boolean =>
 const isPositive = (values: unknown, length: number): boolean =>
   isNumbers(values) && values.length === length && values.every((value) => value > 0);
 
+const isPositiveNumber = (value: unknown): boolean =>
+  typeof value === 'number' && Number.isFinite(value) && value > 0;
+
+/** Whether a value is an object of numbers with these names and maybe others. */
+const hasNumbers = (value: unknown, names: readonly string[]): boolean =>
+  typeof value === 'object' &&
+  value !== null &&
+  isNumbers(Object.values(value)) &&
+  names.every((name) => Object.hasOwn(value, name));
+
+const ORIGINAL_NUMBERS = ['vertices', 'faces', 'totalMass', 'stretch', 'bend'];
+
 const CHECKS: readonly Check[] = [
+  ({ unit }) => (isPositiveNumber(unit) ? null : 'a unit that is no length'),
+  ({ engine, original }) =>
+    hasNumbers(engine, []) && hasNumbers(original, ORIGINAL_NUMBERS)
+      ? null
+      : 'damaged numbers of the engine or of the original',
   ({ mesh }, vertices) =>
     isIndices(mesh.triangles, vertices, 3) ? null : 'triangles that name vertices it does not have',
   ({ renderVertices }, vertices) =>
@@ -69,6 +87,10 @@ export function readSettingsFile(name: string, text: string): SettingsFile {
         ? `is for "${file.solver}", which is none of ${SOLVER_NAMES.join(', ')}`
         : `names none of the solvers ${SOLVER_NAMES.join(', ')}`,
     );
+  if (!(OPTIONS.tune.choices as readonly unknown[]).includes(file.tune))
+    return fail(`has a tuning that is none of ${OPTIONS.tune.choices.join(', ')}`);
+  if (!isPositiveNumber((file.units as { length?: unknown } | null | undefined)?.length))
+    return fail('has a unit that is no length');
   for (const body of file.bodies as BodySettings[]) {
     const problem = problemOf(body);
     if (problem)
