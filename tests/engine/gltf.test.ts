@@ -74,9 +74,9 @@ describe('glTF', () => {
     expect(bodies[0].positions).toHaveLength(3 * (8 + 4));
     expect([...bodies[0].indices.slice(36)]).toEqual([0, 1, 2, 8, 9, 11, 8, 11, 10]);
     expect(bodies[0].spans).toEqual([
-      { primitive: 0, first: 0, firstVertex: 0 },
-      { primitive: 2, first: 12, firstVertex: 0 },
-      { primitive: 3, first: 13, firstVertex: 8 },
+      { primitive: 0, first: 0, firstVertex: 0, vertexCount: 8 },
+      { primitive: 2, first: 12, firstVertex: 0, vertexCount: 8 },
+      { primitive: 3, first: 13, firstVertex: 8, vertexCount: 4 },
     ]);
     expect(bodies[0].notes).toEqual(['1 primitive of lines skipped']);
   });

@@ -94,8 +94,8 @@ describe('OBJ', () => {
       [0, 2, 3],
     ]);
     expect(bodies[0].spans).toEqual([
-      { primitive: 0, first: 0, firstVertex: 0 },
-      { primitive: 1, first: 2, firstVertex: 0 },
+      { primitive: 0, first: 0, firstVertex: 0, vertexCount: 4 },
+      { primitive: 1, first: 2, firstVertex: 0, vertexCount: 4 },
     ]);
     const bytes = await exportGlb(model, [null], { fields: false });
     expect(await validateGlb(bytes)).toMatchObject({ errors: 0, warnings: 0 });

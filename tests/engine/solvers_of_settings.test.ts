@@ -73,6 +73,35 @@ describe('the settings of a mesh that was read from its own file', () => {
     expect(result.constants).toMatchObject({ stretch: 7, bend: 0.5 });
   });
 
+  it('are found where primitives share a list of vertices, which the settings have once for each', () => {
+    const body = bodyOf(mesh);
+    const [span] = body.spans;
+    body.spans.push({ ...span, primitive: 1, first: 4 });
+    const settings = entry();
+    settings.renderVertices.push(...settings.renderVertices);
+    const { result } = solversOfSettings(
+      fileOf(settings),
+      grid(2, 2),
+      prepareBody(core, body, defaultSettings()),
+      1,
+    );
+    expect([...result.masses!]).toEqual(Array.from({ length: count }, (_, v) => 10 + v));
+  });
+
+  it('are those of the nearest of several bodies with one name and size', () => {
+    const other = entry();
+    other.mesh.positions = other.mesh.positions.map((value) => value + 3);
+    other.mass.perVertex = other.mass.perVertex.map(() => 1);
+    const file = { ...fileOf(entry()), bodies: [other, entry()] };
+    const { result } = solversOfSettings(
+      file,
+      grid(2, 2),
+      prepareBody(core, bodyOf(mesh), defaultSettings()),
+      1,
+    );
+    expect([...result.masses!]).toEqual(Array.from({ length: count }, (_, v) => 10 + v));
+  });
+
   it('leave the original the parameters that it was tuned to', () => {
     const { original } = solversFor(entry());
     expect(original).toEqual({

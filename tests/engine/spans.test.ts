@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { spanOf } from '../../web/engine/document/facts/spans';
 
 const bodyOf = (firsts: number[]) => ({
-  spans: firsts.map((first, primitive) => ({ primitive, first, firstVertex: 0 })),
+  spans: firsts.map((first, primitive) => ({ primitive, first, firstVertex: 0, vertexCount: 0 })),
 });
 
 it('the span of a triangle is the last one that begins at or before it, as spans can be empty', () => {

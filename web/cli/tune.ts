@@ -1,10 +1,9 @@
 /** limber tune A B: A is the original, B any coarse mesh of it. */
 
+import { weldedVerticesInFile } from '../engine/body/file_vertices';
 import type { PreparedBody } from '../engine/body/prepared_body';
-import { NONE } from '../engine/core/core';
 import { faceCount } from '../engine/core/mesh';
 import { startStopwatch } from '../engine/core/stopwatch';
-import type { OpenModel } from '../engine/document/model';
 import { meshReport } from '../engine/report/mesh_report';
 import { startReport } from '../engine/report/report';
 import { settingsFile, writeSettings } from '../engine/report/settings_file';
@@ -42,7 +41,7 @@ export async function runTune(args: Arguments): Promise<number> {
   const bodies = others.map((other, i) => ({
     name: other.body.name,
     level: 0,
-    renderVertices: renderVertices(second, other),
+    renderVertices: weldedVerticesInFile(other),
     tuned: tuned[i],
   }));
   save(session, path, writeSettings(settingsFile(bodies)));
@@ -80,15 +79,4 @@ function checkFaces({ operands }: Arguments, { mesh, body }: PreparedBody, other
   throw new UsageError(
     `"${body.name}" has ${grouped(before)} faces in ${a} and ${grouped(after)} in ${b}: name the original first.`,
   );
-}
-
-/** Per vertex of each primitive of the body, in order: the vertex of the welded mesh; -1 where no usable face has it. */
-function renderVertices({ document }: OpenModel, { weld, body }: PreparedBody): number[] {
-  const primitives = document.getRoot().listMeshes()[body.mesh].listPrimitives();
-  return body.spans.flatMap(({ primitive, firstVertex }) => {
-    const end = firstVertex + primitives[primitive].getAttribute('POSITION')!.getCount();
-    return Array.from(weld.vertexOfSource.subarray(firstVertex, end), (vertex) =>
-      vertex === NONE ? -1 : vertex,
-    );
-  });
 }

@@ -11,7 +11,7 @@ export function bodyOf(mesh: TriangleMesh, name = 'body'): Body {
     indices: triangles,
     notes: [],
     mesh: 0,
-    spans: [{ primitive: 0, first: 0, firstVertex: 0 }],
+    spans: [{ primitive: 0, first: 0, firstVertex: 0, vertexCount: positions.length / 3 }],
     scale: 1,
   };
 }

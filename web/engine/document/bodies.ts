@@ -112,10 +112,11 @@ function gather(room: { file: string; left: number }, name: string, mesh: Mesh):
       takeRoom(room, gathering, primitive, positions);
       const where = `${room.file}, mesh "${name}", primitive ${number}`;
       const firstTriangle = gathering.indices.length / 3;
-      const first = addPositions(gathering, positions, where);
-      gathering.spans.push({ primitive: number, first: firstTriangle, firstVertex: first });
-      for (const vertex of cornersOf(primitive, positions.getCount(), where))
-        gathering.indices.push(first + vertex);
+      const firstVertex = addPositions(gathering, positions, where);
+      const vertexCount = positions.getCount();
+      gathering.spans.push({ primitive: number, first: firstTriangle, firstVertex, vertexCount });
+      for (const vertex of cornersOf(primitive, vertexCount, where))
+        gathering.indices.push(firstVertex + vertex);
     }
   });
   return gathering;

@@ -16,8 +16,10 @@ export type Format = 'glb' | 'gltf' | 'obj' | 'stl' | 'ply' | 'off';
 export interface PrimitiveSpan {
   primitive: number;
   first: number;
-  /** the vertex of the body that is vertex 0 of the primitive */
+  /** the vertex of the body that is vertex 0 of the primitive; primitives with one list of positions have the same */
   firstVertex: number;
+  /** vertices of the primitive in its file */
+  vertexCount: number;
 }
 
 /** All triangles of one mesh of the document, in the mesh's local space, not welded. */

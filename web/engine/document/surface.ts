@@ -55,7 +55,8 @@ export function modelOfSurfaces(
     const mesh = document.createMesh(surface.name);
     for (const primitive of primitivesOf(document, surface, parts, materialOf)) mesh.addPrimitive(primitive);
     scene.addChild(document.createNode(surface.name).setMesh(mesh));
-    const spans = parts.map(({ first }, primitive) => ({ primitive, first, firstVertex: 0 }));
+    const vertexCount = positions.length / 3;
+    const spans = parts.map(({ first }, primitive) => ({ primitive, first, firstVertex: 0, vertexCount }));
     return { name: surface.name, positions, indices, notes, mesh: index, spans, scale: 1 };
   });
   const { notes, unread, libraries = [] } = file;

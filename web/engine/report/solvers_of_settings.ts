@@ -4,6 +4,7 @@ import type { SimulatedSolver, SolverModel, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { faceCount, vertexCount } from '../core/mesh';
 import { counted } from '../core/words';
+import { verticesInFile, weldedVerticesInFile } from '../body/file_vertices';
 import type { PreparedBody } from '../body/prepared_body';
 import { constraintVertices } from '../solvers/constraint_vertices';
 import { meshFacts } from '../solvers/mesh_facts';
@@ -50,15 +51,21 @@ function checkOriginal({ name, original }: BodySettings, { vertices, faces }: Me
   );
 }
 
-/** The entry of a body, of all levels the one that has its vertices and faces. */
-function entryOf(bodies: BodySettings[], { body, weld, mesh }: PreparedBody): BodySettings {
-  const found = bodies.find(
+/** The entry of a body, of all levels: one that has its vertices and faces; of several the one whose vertices are nearest. */
+function entryOf(bodies: BodySettings[], result: PreparedBody): BodySettings {
+  const { body, mesh } = result;
+  const vertices = verticesInFile(body).length;
+  const found = bodies.filter(
     (entry) =>
       entry.name === body.name &&
-      entry.renderVertices.length === weld.vertexOfSource.length &&
+      entry.renderVertices.length === vertices &&
       entry.mesh.triangles.length === mesh.triangles.length,
   );
-  if (found) return found;
+  if (found.length === 1) return found[0];
+  if (found.length > 1) {
+    const distances = found.map((entry) => distanceOf(entry, result));
+    return found[distances.indexOf(Math.min(...distances))];
+  }
   throw new Error(
     `The settings are not of "${body.name}" with ${faceCount(mesh)} faces: take those that were written with this file.`,
   );
@@ -114,15 +121,31 @@ function listOf(flat: number[] | undefined, size: number): number[][] | null {
   return Array.from({ length: flat.length / size }, (_, c) => flat.slice(size * c, size * c + size));
 }
 
-/** Per vertex of the prepared mesh its vertex in the settings. */
-function verticesOf({ name, renderVertices }: BodySettings, { weld, mesh }: PreparedBody): Uint32Array {
-  const of = new Uint32Array(vertexCount(mesh)).fill(NONE);
-  weld.vertexOfSource.forEach((vertex, source) => {
-    if (vertex !== NONE && renderVertices[source] >= 0) of[vertex] = renderVertices[source];
+/**
+ * The sum of squared distances of the vertices of a body from those that the entry has for them, in units of the mesh; Infinity
+ * where it has none for one.
+ */
+function distanceOf(entry: BodySettings, result: PreparedBody): number {
+  const of = verticesByFile(entry, result);
+  const there = (i: number): number => entry.mesh.positions[3 * of[Math.floor(i / 3)] + (i % 3)] ?? Infinity;
+  return result.mesh.positions.reduce((sum, here, i) => sum + (here - there(i)) ** 2, 0);
+}
+
+/** Per vertex of the prepared mesh its vertex in the settings; NONE where they have none for it. */
+function verticesByFile({ renderVertices }: BodySettings, result: PreparedBody): Uint32Array {
+  const of = new Uint32Array(vertexCount(result.mesh)).fill(NONE);
+  weldedVerticesInFile(result).forEach((vertex, i) => {
+    if (vertex >= 0 && renderVertices[i] >= 0) of[vertex] = renderVertices[i];
   });
+  return of;
+}
+
+/** Per vertex of the prepared mesh its vertex in the settings. Throws where they have none for one. */
+function verticesOf(entry: BodySettings, result: PreparedBody): Uint32Array {
+  const of = verticesByFile(entry, result);
   if (of.includes(NONE))
     throw new Error(
-      `The settings of "${name}" are of another mesh: take those that were written with this file.`,
+      `The settings of "${entry.name}" are of another mesh: take those that were written with this file.`,
     );
   return of;
 }

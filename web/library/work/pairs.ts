@@ -1,11 +1,10 @@
 /** Two models of the same bodies: comparing them, and tuning the second. */
 
 import { materialOf } from '../../engine/body/material';
+import { weldedVerticesInFile } from '../../engine/body/file_vertices';
 import type { PreparedBody } from '../../engine/body/prepared_body';
-import { NONE } from '../../engine/core/core';
 import { faceCount } from '../../engine/core/mesh';
 import { counted } from '../../engine/core/words';
-import type { OpenModel } from '../../engine/document/open';
 import { meshReport } from '../../engine/report/mesh_report';
 import { startReport } from '../../engine/report/report';
 import { worstFidelity, worstSurface } from '../../engine/report/result_report';
@@ -75,7 +74,7 @@ export async function tuneModel(session: WorkSession, [first, second]: ModelFile
   const bodies = others.map((other, i) => ({
     name: other.body.name,
     level: 0,
-    renderVertices: verticesInFile(coarse, other),
+    renderVertices: weldedVerticesInFile(other),
     tuned: tuned[i],
   }));
   const text = writeSettings(settingsFile(bodies));
@@ -107,14 +106,4 @@ function checkFaces({ mesh, body }: PreparedBody, other: PreparedBody): void {
     throw new Error(
       `"${body.name}" has ${before} faces in the first model and ${after} in the second: name the original first.`,
     );
-}
-
-/** Per vertex of each primitive of the body, in order: the vertex of the welded mesh; -1 where no usable face has it. */
-function verticesInFile({ document }: OpenModel, { weld, body }: PreparedBody): number[] {
-  const primitives = document.getRoot().listMeshes()[body.mesh].listPrimitives();
-  return body.spans.flatMap(({ primitive, firstVertex }) => {
-    const end = firstVertex + primitives[primitive].getAttribute('POSITION')!.getCount();
-    const vertices = weld.vertexOfSource.subarray(firstVertex, end);
-    return Array.from(vertices, (vertex) => (vertex === NONE ? -1 : vertex));
-  });
 }

@@ -1,0 +1,15 @@
+/** The vertices of a body in the order of its file: all of one primitive after all of another. */
+
+import { NONE } from '../core/core';
+import type { Body } from '../document/model';
+import type { PreparedBody } from './prepared_body';
+
+/** Vertices of the body. Those of a list that primitives share come once for each of them. */
+export const verticesInFile = ({ spans }: Pick<Body, 'spans'>): number[] =>
+  spans.flatMap(({ firstVertex, vertexCount }) =>
+    Array.from({ length: vertexCount }, (_, v) => firstVertex + v),
+  );
+
+/** The same as vertices of the welded mesh; -1 where no usable face has them. */
+export const weldedVerticesInFile = ({ weld, body }: PreparedBody): number[] =>
+  verticesInFile(body).map((v) => (weld.vertexOfSource[v] === NONE ? -1 : weld.vertexOfSource[v]));
