@@ -123,6 +123,28 @@ describe('glTF', () => {
     expect(bodies[1].notes).toEqual(['its node scales it unevenly: frequencies take the mean scale']);
   });
 
+  it('uses the scale of the joints of a skinned mesh, whose node glTF ignores', async () => {
+    const document = startDocument();
+    addMesh(document, 'skinned', [primitiveOf(document, cube())]);
+    const [node] = document.getRoot().listNodes();
+    const joint = document.createNode('joint').setRotation([0, 0.6, 0, 0.8]).setScale([0.02, 0.02, 0.02]);
+    document
+      .getRoot()
+      .getDefaultScene()!
+      .addChild(document.createNode('armature').setScale([0.5, 0.5, 0.5]).addChild(joint));
+    const bind = document
+      .createAccessor()
+      .setType('MAT4')
+      .setArray(Float32Array.of(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1))
+      .setBuffer(document.getRoot().listBuffers()[0]);
+    node
+      .setScale([7, 7, 7])
+      .setSkin(document.createSkin().addJoint(joint).setInverseBindMatrices(bind).setSkeleton(joint));
+    const { bodies } = await open(document);
+    expect(bodies[0].scale).toBe(0.02);
+    expect(bodies[0].notes).toEqual([]);
+  });
+
   it('finds its companion files, in folders and with escaped names', async () => {
     const files = separateGltf();
     expect(companionNames({ ...files[0], name: 'test.gltf' })).toEqual(['parts/my data.bin', 'skin.png']);

@@ -5,6 +5,7 @@ import { length3 } from '../core/exact_math';
 import { GrowingFloats, GrowingIndices } from './growing';
 import { counted } from '../core/words';
 import type { Body, PrimitiveSpan } from './model';
+import { meshMatrixOf } from './placements';
 
 /** glTF's primitive modes. */
 const LINES_FROM = 1;
@@ -49,7 +50,7 @@ export function bodiesOfDocument(
       without.push({ name, reasons: bodyNotes.join(', ') });
       continue;
     }
-    const scaling = node ? scaleOf(node) : { scale: 1, isEven: true };
+    const scaling = node ? scalingOf(node) : { scale: 1, isEven: true };
     if (!scaling.isEven) bodyNotes.push('its node scales it unevenly: frequencies take the mean scale');
     const [positions, indices] = [gathering.positions.finish(), gathering.indices.finish()];
     const { spans } = gathering;
@@ -211,9 +212,14 @@ function skippedNotes({ points, lines, empty }: Gathering['skipped']): string[] 
     .map(([count, kind]) => `${counted(count, kind, kind.replace('primitive', 'primitives'))} skipped`);
 }
 
-/** The scale of the node, a root mean square over its three axes, and whether the axes agree to 0.1 %. */
-function scaleOf(node: Node): { scale: number; isEven: boolean } {
-  const matrix = node.getWorldMatrix();
+/** The scale of the mesh of a node. Inverse bind matrices, in 32-bit floats, leave six digits of that of a skinned mesh. */
+function scalingOf(node: Node): { scale: number; isEven: boolean } {
+  const { scale, isEven } = scaleOf(meshMatrixOf(node));
+  return { scale: node.getSkin() ? Number(scale.toPrecision(6)) : scale, isEven };
+}
+
+/** The scale of a matrix of four columns, a root mean square over its three axes, and whether the axes agree to 0.1 %. */
+function scaleOf(matrix: readonly number[]): { scale: number; isEven: boolean } {
   const [x, y, z] = [0, 4, 8].map((at) => length3(matrix[at], matrix[at + 1], matrix[at + 2]));
   const [smallest, largest] = [Math.min(x, y, z), Math.max(x, y, z)];
   if (!(smallest > 0) || !Number.isFinite(largest)) return { scale: 1, isEven: true };

@@ -36,7 +36,10 @@ export interface Body {
   /** its index among the document's meshes */
   mesh: number;
   spans: PrimitiveSpan[];
-  /** file units per unit of this body, from the first node that uses it; the mean of the axes if not uniform */
+  /**
+   * file units per unit of this body, from the first node that uses it, or from the first joint of its skin, beside which glTF
+   * ignores the node; the mean of the axes if not uniform
+   */
   scale: number;
 }
 

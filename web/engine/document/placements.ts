@@ -90,14 +90,18 @@ function composed(moved: number[], [a, b, c, d]: number[], scaled: number[]): nu
   return [...turned.flatMap((axis, k) => [...axis.map((value) => scaled[k] * value), 0]), ...moved, 1];
 }
 
-/**
- * The matrix of the first node that shows a mesh, column by column: from the space of the mesh to that of the scene. A skinned mesh
- * stands where its first joint puts it. The identity where no node shows the mesh.
- */
+/** `meshMatrixOf` of the first node that shows a mesh. The identity where none does. */
 export function nodeMatrixOf(document: Document, mesh: Mesh): number[] {
   const nodes = document.getRoot().listNodes();
   const node = nodes.find((one) => one.getMesh() === mesh);
-  if (!node) return [...IDENTITY];
+  return node ? meshMatrixOf(node) : [...IDENTITY];
+}
+
+/**
+ * The matrix from the space of a node's mesh to that of the scene, column by column. A skinned mesh stands where its first joint
+ * puts it.
+ */
+export function meshMatrixOf(node: Node): number[] {
   const skin = node.getSkin();
   const [joint] = skin?.listJoints() ?? [];
   if (!skin || !joint) return [...node.getWorldMatrix()];
