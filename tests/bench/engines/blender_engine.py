@@ -75,7 +75,9 @@ def hang(mesh, parameters, pins, gravity, frames, quality):
     return result
 
 
-QUALITY = 20
+# Steps in a frame. The hanging ribbon and cloth move by 0.1 to 0.2 % of their size with half the step, and by up to 2.2 %
+# with that of quality 20.
+QUALITY = 320
 
 
 def simulate(mesh, parameters, motion, masses=None):

@@ -11,8 +11,9 @@ from models import Body, hinge_areas, hinge_lengths, hinges_stiffness, springs
 
 NAME = "jolt"
 SCRIPT = Path(__file__).with_name("jolt_run.mjs")
-# Substeps of a step of 1 / (60 x stepsPerFrame) s.
-ITERATIONS = 20
+# Substeps of a step of 1 / (60 x stepsPerFrame) s. Jolt keeps positions as floats: of Spot's small sway 80 are 0.04 % of its
+# size away from 160, but 320 are 0.10 % away from both.
+ITERATIONS = 80
 
 if subprocess.run(["node", "-e", "import(process.env.LIMBER_JOLT ? require('url').pathToFileURL(process.env.LIMBER_JOLT)"
                    ".href : 'jolt-physics').catch(() => process.exit(1))"], cwd=SCRIPT.parent).returncode:

@@ -8,6 +8,7 @@ Engines that are not installed are told and left out.
 
 import importlib
 import sys
+from functools import partial
 
 import numpy as np
 from scipy.linalg import eig
@@ -47,10 +48,6 @@ def measured_frequency(engine, mesh, pins, **options):
     weight = body.masses[:, None] * shape
     signal = np.einsum("fvc,vc->f", (both[0] - both[1]) / 2, weight)
     return frequency, frequency_of(signal, step)
-
-
-def newton_frequency(engine, mesh, pins):
-    return measured_frequency(engine, mesh, pins, iterations=20, substeps=1)
 
 
 def jolt_frequency(engine, mesh, pins):
@@ -107,7 +104,12 @@ def check(name, engine):
         for pins, words in ((np.zeros(0, int), "free"), (clamped, "clamped")):
             if name == "blender" and len(pins) == 0:
                 continue
-            special = {"blender": blender_frequency, "jolt": jolt_frequency, "newton": newton_frequency}
+            special = {
+                "blender": blender_frequency,
+                "jolt": jolt_frequency,
+                "mujoco": partial(measured_frequency, substeps=1),
+                "newton": partial(measured_frequency, iterations=20, substeps=1),
+            }
             compare = special.get(name, measured_frequency)
             ours, theirs = compare(engine, mesh, pins)
             error = 100 * (ours / theirs - 1)
