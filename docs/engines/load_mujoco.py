@@ -9,7 +9,8 @@ import numpy as np
 
 
 def load_mujoco(settings, index=0, timestep=0.002):
-    """The compiled model of one body of the file; vertex v of the flex is vertex v of its `mesh`, in metres.
+    """The compiled model of one body of the file; vertex v of the flex is vertex v of its `mesh`, in metres. For several bodies in
+    one model, put the flexcomp of `mjcf` into your own and give it a name; then set masses and factors as here.
 
     Raises ValueError where the file is of another solver."""
     if settings["solver"] != "mujoco":

@@ -1,16 +1,19 @@
 """Adds cloth to a ModelBuilder of Newton 1.8 from a settings file of `limber --solver newton`.
 
     settings = json.load(open("horse.settings.json"))
-    body = settings["bodies"][0]
+    bodies = [body for body in settings["bodies"] if body["level"] == 0]
     builder = newton.ModelBuilder(up_axis=newton.Axis.Y)
-    add_newton_cloth(builder, settings)
+    for index in range(len(bodies)):
+        add_newton_cloth(builder, settings, index)
     builder.color(include_bending=True)
     model = builder.finalize()
-    model.soft_contact_mu = body["friction"]
-    solver = newton.solvers.SolverVBD(model, iterations=int(body["engine"]["iterations"]), particle_enable_self_contact=False)
+    model.soft_contact_mu = bodies[0]["friction"]
+    iterations = max(int(body["engine"]["iterations"]) for body in bodies)
+    solver = newton.solvers.SolverVBD(model, iterations=iterations, particle_enable_self_contact=False)
 
-Then, for a frame of 1/60 s, call solver.step body["substeps"] times with 1 / 60 / body["substeps"] s: with longer steps VBD
-makes cloth far too soft.
+Then, for a frame of 1/60 s, call solver.step `substeps` times with 1 / 60 / substeps s, where
+substeps = max(body["substeps"] for body in bodies): with longer steps VBD makes cloth far too soft. Friction and the distance of
+contact with itself are one number for the whole model. Bodies of the first level come first in the file.
 
 For contact with itself pass particle_enable_self_contact=True, particle_self_contact_margin=d and particle_self_contact_gap=d / 2,
 where d is body["selfCollisionDistance"], but well below the shortest edge: neighbours that are nearer push each other apart.

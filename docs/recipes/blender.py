@@ -35,7 +35,7 @@ def optimize(thing, options=""):
     with tempfile.TemporaryDirectory() as folder:
         paths = {name: os.path.join(folder, name) for name in ("in.glb", "out.glb", "settings.json")}
         _export(thing, paths["in.glb"])
-        words = [*shlex.split(options), *(_cloth_options(cloth, paths["settings.json"]) if cloth else [])]
+        words = [*shlex.split(options), *(_cloth_options(thing, cloth, paths["settings.json"]) if cloth else [])]
         _run(["optimize", paths["in.glb"], paths["out.glb"], *words])
         result = _import(paths["out.glb"], thing)
         _bring_groups(thing, result)
@@ -114,11 +114,22 @@ def _bring_groups(thing, result):
         result.data.attributes.remove(attribute)
 
 
-def _cloth_options(cloth, path):
-    """limber finds the parameters with which the result moves like the original with these."""
+def _cloth_options(thing, cloth, path):
+    """limber finds the parameters with which the result moves like the original with these, as large as it is in the scene."""
     values = {name: getattr(cloth.settings, property_) for name, property_ in CLOTH.items()}
     words = ",".join(f"{name}={value:.9g}" for name, value in values.items())
-    return ["--solver", "blender", "--engine", words, "--settings", path]
+    scale = sum(abs(axis) for axis in thing.matrix_world.to_scale()) / 3
+    return ["--solver", "blender", "--engine", words, "--settings", path, "--unit", f"{scale:.9g}", *_pins(thing, cloth)]
+
+
+def _pins(thing, cloth):
+    """--pins with the vertices that the cloth's pin group holds by more than a half; nothing where there are none."""
+    group = thing.vertex_groups.get(cloth.settings.vertex_group_mass)
+    if group is None:
+        return []
+    weights = (entry.weight for vertex in thing.data.vertices for entry in vertex.groups if entry.group == group.index)
+    # Blender writes names of attributes in capitals.
+    return ["--pins", f"attribute:{GROUP.upper()}{group.index}"] if any(weight > 0.5 for weight in weights) else []
 
 
 def _bring_cloth(cloth, result, settings):

@@ -7,6 +7,7 @@ import type { Page } from '@playwright/test';
 import { strToU8, unzipSync, zipSync } from 'fflate';
 import { sheetObj } from './meshes';
 import { drop, goTo, keepFaces, keptFaces, readout, writeScratch } from './page';
+import { standingTubes } from './scenes';
 
 const button = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
 const models = [16, 18, 20].map((size, i) => writeScratch(`model-${i}.obj`, sheetObj(size)));
@@ -124,4 +125,37 @@ test('a settings file brings its solver, parameters and faces back, or says what
   await expect(keptFaces(page)).toHaveValue(String(faces.length / 3));
   await drop(page, writeScratch('broken.json', text.replace('"hinge-shell"', '"havok"')));
   await expect(page.getByRole('alert')).toContainText('broken.json is for "havok", which is none of');
+});
+
+test('of a settings file of several bodies the shown one takes its own unit and faces, wherever it is', async ({
+  page,
+}) => {
+  await page.goto('/');
+  await drop(page, writeScratch('tubes.glb', await standingTubes()));
+  await goTo(page, 'Reduce');
+  await expect(keptFaces(page)).toBeEnabled();
+  await keepFaces(page, 600);
+  await button(page, 'Export').click();
+  await page.getByLabel('Solver').selectOption('springs');
+  await expect(button(page, 'Save settings')).toBeEnabled();
+  const file = JSON.parse((await save(page, 'Save settings')).toString()) as {
+    units: { length: number };
+    bodies: { name: string; unit: number; mesh: { triangles: number[] } }[];
+  };
+  const [red, blue] = file.bodies;
+  expect([red.name, blue.name]).toEqual(['red', 'blue']);
+  file.bodies = [{ ...blue, unit: 0.01 }, red];
+  file.units.length = 0.01;
+  await page.getByLabel('Solver').selectOption('none');
+  await keepFaces(page, 900);
+  await drop(page, writeScratch('tubes.settings.json', JSON.stringify(file)));
+  const faces = (red.mesh.triangles.length + blue.mesh.triangles.length) / 3;
+  await expect(page.getByRole('status').filter({ hasText: 'tubes.settings.json' })).toContainText(
+    `Springs with its parameters, ${faces} faces.`,
+  );
+  await goTo(page, 'Reduce');
+  await expect(keptFaces(page)).toHaveValue(String(faces));
+  await button(page, 'Export').click();
+  await expect(page.locator('code.command')).toContainText('--solver springs');
+  await expect(page.locator('code.command')).not.toContainText('--unit');
 });

@@ -18,14 +18,14 @@ import blender  # noqa: E402
 
 
 def cloth_sheet(cells=24):
-    """A sheet of 2 by 2 with UVs, whose group "pins" falls off linearly along x, turned and moved."""
+    """A sheet of 2 by 2 with UVs, whose group "pins" falls off linearly along x, turned, moved and scaled by a half."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.mesh.primitive_grid_add(x_subdivisions=cells, y_subdivisions=cells, size=2)
     sheet = bpy.context.active_object
     group = sheet.vertex_groups.new(name="pins")
     for vertex in sheet.data.vertices:
         group.add([vertex.index], (vertex.co.x + 1) / 2, "REPLACE")
-    sheet.location, sheet.rotation_euler = (1, 2, 3), (0.3, 0.2, 0.1)
+    sheet.location, sheet.rotation_euler, sheet.scale = (1, 2, 3), (0.3, 0.2, 0.1), (0.5, 0.5, 0.5)
     cloth = sheet.modifiers.new("Cloth", "CLOTH")
     cloth.settings.tension_stiffness, cloth.settings.mass = 20, 0.02
     cloth.settings.vertex_group_mass = "pins"
@@ -53,7 +53,9 @@ def check_object():
     bpy.context.view_layer.update()
     offset = max(abs(a - b) for p, q in zip(result.matrix_world, sheet.matrix_world) for a, b in zip(p, q))
     faces = len(mesh.polygons)
-    engine = found[0]["bodies"][0]["engine"]
+    body = found[0]["bodies"][0]
+    engine, positions = body["engine"], body["mesh"]["positions"]
+    held = [positions[3 * pin] for pin in body["pins"]]
     values = [(engine[name], getattr(cloth, to)) for name, to in blender.CLOTH.items() if name in engine and name != "quality"]
     engine_error = max(abs(a - b) / max(1e-9, abs(a)) for a, b in values)
     return [
@@ -63,6 +65,8 @@ def check_object():
         check(offset < 1e-6, "the result is where the original is"),
         check(cloth.vertex_group_mass == "pins", "pins are the group"),
         check(cloth.mass > 0.02, f"the mass of a vertex grew from 0.02 to {cloth.mass:.4f}, as there are fewer"),
+        check(abs(body["unit"] - 0.5) < 1e-6, f"a unit of the settings is {body['unit']} m"),
+        check(held and min(held) > 0, f"{len(held)} vertices are tuned as held, where the group is above a half"),
         check(engine_error < 1e-5, "tension, bending, mass and dampings are those of the settings file"),
     ]
 

@@ -6,12 +6,16 @@ import { exportedSettings, settingsFile, writeSettings } from '../../web/engine/
 import type { SettingsFile } from '../../web/engine/report/settings_file';
 import { readSettingsFile } from '../../web/engine/report/settings_reader';
 import { describeTuning, solverReport } from '../../web/engine/report/solver_report';
+import { defaultSettings } from '../../web/engine/settings/options';
 import type { SolverName } from '../../web/engine/solvers/profiles';
 import type { TunedBody } from '../../web/engine/solvers/tuned_body';
 import { tunedBody, TUNED_SHEET as mesh } from './support/tuned_sheet';
 
 const fileOf = (tuned: TunedBody): SettingsFile =>
-  settingsFile([{ name: 'sheet', level: 0, renderVertices: [0, 1, 2, 2, 1, 3, -1], tuned }]);
+  settingsFile(
+    [{ name: 'sheet', level: 0, renderVertices: [0, 1, 2, 2, 1, 3, -1], tuned }],
+    defaultSettings(),
+  );
 
 describe('a settings file', () => {
   it.each(['shell', 'hinge-shell', 'dihedral', 'springs', 'jolt', 'mujoco', 'newton', 'blender'] as const)(
@@ -80,6 +84,7 @@ describe('a damaged settings file', () => {
       'has a tuning that is none of global, vertex, ',
     ],
     [damaged((_, file) => (file.units.length = 0)), 'has a unit that is no length'],
+    [damaged((_, file) => delete (file.material as { young?: number }).young), 'has a damaged material'],
     [damaged((body) => (body.unit = -1)), 'has a unit that is no length for "sheet"'],
     [
       damaged((body) => Object.assign(body.original, { faces: '32' })),

@@ -198,14 +198,17 @@ function checkOperands(command: Command, operands: string[]): void {
 
 /** Throws SettingError. */
 function settingsFrom(command: Command, values: Map<string, string>): Settings {
-  const base = { ...COMMAND_SPECS[command].defaults, ...readPreset(values), ...readMaterial(values) };
+  const base = {
+    ...COMMAND_SPECS[command].defaults,
+    ...readPreset(values),
+    ...readEngine(values),
+    ...readMaterial(values),
+  };
   if (values.get('substeps') === 'auto') {
     values.delete('substeps');
     values.set('converge', '');
   }
   if (values.has('like-input')) readLikeInput(values);
-  const engine = values.get('engine');
-  if (engine !== undefined) values.set('engine', engineFromFile(engine));
   const settings = readSettings(settingsOf(engineCommand(command)), (flag) => values.get(flag), base);
   checkSettings(settings);
   checkSolverFlags(command, settings, values);
@@ -250,6 +253,15 @@ function presetNamed(name: string | undefined): PresetName | null {
   const known = PRESET_NAMES.find((candidate) => candidate === name);
   if (!known) throw new UsageError(`--preset is ${name}: give one of ${PRESET_NAMES.join(', ')}.`);
   return known;
+}
+
+/** Puts the parameters of a file that --engine names in its place; the material that they came with, of a settings file. */
+function readEngine(values: Map<string, string>): Partial<Settings> {
+  const value = values.get('engine');
+  if (value === undefined) return {};
+  const { text, material } = engineFromFile(value);
+  values.set('engine', text);
+  return material;
 }
 
 /** The four numbers of --material-preset; none without it. */

@@ -2,9 +2,11 @@
 
 import { existsSync } from 'node:fs';
 import { basename } from 'node:path';
+import type { EngineMaterial } from '../engine/body/material';
 import { excerpt, quotedJson } from '../engine/core/words';
-import { originalParameters } from '../engine/report/original_parameters';
+import { originalMaterial, originalParameters } from '../engine/report/original_parameters';
 import { readSettingsFile } from '../engine/report/settings_reader';
+import { engineText } from '../engine/settings/engine_text';
 import type { NativeValues } from '../engine/solvers/profile';
 import { UsageError } from './failure';
 import { readText } from './input_files/read_file';
@@ -13,9 +15,15 @@ import { readText } from './input_files/read_file';
 export const fileOfEngine = (value: string | undefined): string | null =>
   value === undefined || (value.includes('=') && !existsSync(value)) ? null : value;
 
-/** The value of --engine as name=value with commas: itself, or the content of the file that it names. */
-export function engineFromFile(value: string): string {
-  if (fileOfEngine(value) === null) return value;
+/** The user's own parameters as name=value with commas between, and of a settings file the material that the others follow from. */
+interface GivenEngine {
+  text: string;
+  material: Partial<EngineMaterial>;
+}
+
+/** What --engine gives: itself, or the content of the file that it names. */
+export function engineFromFile(value: string): GivenEngine {
+  if (fileOfEngine(value) === null) return { text: value, material: {} };
   if (!value.includes('.') && !existsSync(value))
     throw new UsageError(
       `--engine ${value} is neither name=value nor a file: give name=value with commas between.`,
@@ -23,34 +31,35 @@ export function engineFromFile(value: string): string {
   return engineOfText(value, readText(value));
 }
 
-/** The content of a file of parameters as name=value with commas. Throws UsageError. */
-export function engineOfText(file: string, content: string): string {
+/** What a file of parameters gives. Throws UsageError, or an Error of the reader of settings files. */
+export function engineOfText(file: string, content: string): GivenEngine {
   const text = content.trim();
-  return text.startsWith('{') ? textOfJson(file, text) : textOfLines(text);
+  if (!text.startsWith('{')) return { text: textOfLines(text), material: {} };
+  const values = parsed(file, text);
+  if (!isSettingsFile(values)) return { text: textOfValues(file, values), material: {} };
+  const settings = readSettingsFile(basename(file), text);
+  return { text: engineText(originalParameters(settings)), material: originalMaterial(settings) };
 }
 
-function textOfJson(file: string, text: string): string {
-  let values: unknown;
+function parsed(file: string, text: string): object {
   try {
-    values = JSON.parse(text);
+    return JSON.parse(text) as object;
   } catch {
     throw new UsageError(`${file} is not JSON: give an object of numbers, or lines of name=value.`);
   }
-  const entries = Object.entries(isSettingsFile(values) ? originalOf(file, text) : (values as object));
-  const wrong = entries.find(([, value]) => typeof value !== 'number');
-  if (wrong)
-    throw new UsageError(`${file} has ${quotedJson(wrong[1])} for ${excerpt(wrong[0])}: give a number.`);
-  return entries.map(([name, value]) => `${name}=${value}`).join(',');
 }
 
-const isSettingsFile = (values: unknown): boolean => {
+function textOfValues(file: string, values: object): string {
+  const wrong = Object.entries(values).find(([, value]) => typeof value !== 'number');
+  if (wrong)
+    throw new UsageError(`${file} has ${quotedJson(wrong[1])} for ${excerpt(wrong[0])}: give a number.`);
+  return engineText(values as NativeValues);
+}
+
+const isSettingsFile = (values: object): boolean => {
   const { schema } = values as Record<string, unknown>;
   return typeof schema === 'string' && schema.startsWith('limber-settings/');
 };
-
-/** What a settings file was tuned to: the numbers of its original, under the names of the engine. */
-const originalOf = (file: string, text: string): NativeValues =>
-  originalParameters(readSettingsFile(basename(file), text));
 
 /** Lines may end in a comment after #. */
 const textOfLines = (text: string): string =>

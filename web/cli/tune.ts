@@ -44,7 +44,7 @@ export async function runTune(args: Arguments): Promise<number> {
     renderVertices: weldedVerticesInFile(other),
     tuned: tuned[i],
   }));
-  save(session, path, writeSettings(settingsFile(bodies)));
+  save(session, path, writeSettings(settingsFile(bodies, args.settings)));
   const found = solverReport(tuned);
   const report = {
     ...startReport(session.core, 'tune', settingsAsUsed('tune', args.settings), originals),

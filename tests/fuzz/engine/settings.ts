@@ -105,7 +105,7 @@ const engineFiles: FuzzTarget = {
     const text = choices.chance(0.5)
       ? mutatedJsonText(values, choices.below(3), choices)
       : mutateText('# mine\nstretch=1e4 # N/m\nbend=0.01\n', choices);
-    engineValues(solver, engineOfText('a.txt', text));
+    engineValues(solver, engineOfText('a.txt', text).text);
   },
 };
 

@@ -1,43 +1,38 @@
 /** Settings files brought back: the solver, its parameters and the number of faces that they were written for. */
 
 import { batch } from '@preact/signals';
-import { originalParameters } from '../../engine/report/original_parameters';
+import { originalMaterial, originalParameters } from '../../engine/report/original_parameters';
 import { readSettingsFile } from '../../engine/report/settings_reader';
-import type { SettingsFile } from '../../engine/report/settings_file';
+import type { BodySettings, SettingsFile } from '../../engine/report/settings_file';
 import type { SourceFile } from '../../engine/document/open';
 import { engineText, engineValues } from '../../engine/settings/engine_text';
 import { profileOf } from '../../engine/solvers/profiles';
 import { complain } from '../state/running';
-import { changeSettings, keepFaces, results, status, view, wants } from '../state/store';
+import { changeSettings, results, status, view, wants } from '../state/store';
 import { twin } from '../state/twin';
 import { count, say } from '../language/say';
 
 /** Whether a file is meant to be a settings file: a JSON document that is no report and no part of a model. */
 export const isSettingsName = ({ name }: SourceFile): boolean => /\.json$/i.test(name);
 
-/** What a settings file asks of the page. */
-export interface AskedBySettings {
-  /** a text as of the setting `engine` */
-  engine: string;
-  /** faces of the first level, of all bodies */
-  faces: number;
-  /** faces of the original, of all bodies */
-  originalFaces: number;
-}
-
-/** Throws SettingError where the parameters are out of their range. */
-export function askedBy(file: SettingsFile): AskedBySettings {
+/** The parameters as a text of the setting `engine`. Throws SettingError where they are out of their range. */
+export function engineAskedBy(file: SettingsFile): string {
   const engine = engineText(originalParameters(file));
   engineValues(file.solver, engine);
-  const first = file.bodies.filter(({ level }) => level === file.bodies[0].level);
-  return {
-    engine,
-    faces: sum(first.map(({ mesh }) => mesh.triangles.length / 3)),
-    originalFaces: sum(first.map(({ original }) => original.faces)),
-  };
+  return engine;
 }
 
-const sum = (values: number[]): number => values.reduce((total, value) => total + value, 0);
+/** Faces of the first level, of all bodies. */
+export const facesIn = ({ bodies }: SettingsFile): number =>
+  bodies
+    .filter(({ level }) => level === bodies[0].level)
+    .reduce((sum, { mesh }) => sum + mesh.triangles.length / 3, 0);
+
+/** What the file has of the body of this name; of a file of one body, which may have been renamed, that one. */
+export function entryNamed({ bodies }: SettingsFile, name: string): BodySettings | null {
+  const first = bodies.filter(({ level }) => level === bodies[0].level);
+  return first.find((body) => body.name === name) ?? (first.length === 1 ? first[0] : null);
+}
 
 /** Takes over what a settings file says, for the model that is open, and shows it moving. */
 export function applySettings({ name, bytes }: SourceFile): void {
@@ -50,7 +45,7 @@ export function applySettings({ name, bytes }: SourceFile): void {
           solver: say(labelOf(file)),
         }),
       );
-    show(name, file, askedBy(file));
+    show(name, file, engineAskedBy(file));
   } catch (error) {
     complain(error);
   }
@@ -58,16 +53,19 @@ export function applySettings({ name, bytes }: SourceFile): void {
 
 const labelOf = ({ solver }: SettingsFile): string => profileOf(solver).label;
 
-function show(name: string, file: SettingsFile, { engine, faces, originalFaces }: AskedBySettings): void {
+function show(name: string, file: SettingsFile, engine: string): void {
   const { solver, tune, units } = file;
   const rule = file.bodies[0].mass.original ?? 'auto';
   const massRule = rule === profileOf(solver).mass ? 'auto' : rule;
   const { inspection, scale } = results.body.value!;
-  const own = inspection.faces;
-  const isSame = own === originalFaces;
+  const entry = entryNamed(file, results.file.value!.bodies[wants.body.value].name);
+  const [faces, own] = [facesIn(file), inspection.faces];
+  const originalFaces = (entry ?? file).original.faces;
+  const isSame = entry !== null && own === originalFaces;
   batch(() => {
-    changeSettings({ solver, tune, engine, massRule, unit: units.length / scale });
-    if (isSame) keepFaces(faces);
+    const unit = (entry?.unit ?? units.length) / scale;
+    changeSettings({ ...originalMaterial(file), solver, tune, engine, massRule, unit });
+    if (isSame) wants.faces.value = faces;
     twin.wantsTuned.value = true;
     wants.exportOpen.value = false;
     view.step.value = 'test';

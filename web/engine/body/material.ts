@@ -8,6 +8,11 @@ export const MATERIAL_SETTINGS = ['young', 'poisson', 'density', 'thickness', 'u
 
 export type MaterialSettings = Pick<Settings, (typeof MATERIAL_SETTINGS)[number]>;
 
+/** What parameters of engines follow from where they are not given. */
+export const ENGINE_MATERIAL = ['young', 'poisson', 'density', 'thickness', 'bendRatio'] as const;
+
+export type EngineMaterial = Pick<Settings, (typeof ENGINE_MATERIAL)[number]>;
+
 /** The material on this body: thickness in units of its mesh, `unit` in metres per such unit. */
 export function materialOf(size: BodySize, settings: MaterialSettings) {
   const { young, poisson, density, unit } = settings;

@@ -1,11 +1,14 @@
-/** The parameters of an engine that the original of a settings file had, to tune the same model with them again. */
+/** What the original of a settings file was given, to tune the same model with it again. */
 
+import { ENGINE_MATERIAL } from '../body/material';
+import type { EngineMaterial } from '../body/material';
+import { OPTIONS } from '../settings/table';
 import type { NativeValues } from '../solvers/profile';
 import type { SettingsFile } from './settings_file';
 
 /**
- * By their names in the engine. A parameter in which bodies differ was a default, which follows from each body's own mesh: it
- * is left out, so that each has its own again.
+ * Parameters by their names in the engine. One in which bodies differ was a default, which follows from each body's own mesh and
+ * the material of the file: it is left out, so that each has its own again.
  */
 export function originalParameters({ bodies }: SettingsFile): NativeValues {
   const first = bodies.filter(({ level }) => level === bodies[0].level);
@@ -13,4 +16,14 @@ export function originalParameters({ bodies }: SettingsFile): NativeValues {
   const isShared = (name: string): boolean =>
     name in engine && first.every((body) => body.original[name] === original[name]);
   return Object.fromEntries(Object.entries(original).filter(([name]) => isShared(name)));
+}
+
+/** The material of the file, each number within what its setting takes; nothing of files that lack it. */
+export function originalMaterial({ material }: SettingsFile): Partial<EngineMaterial> {
+  if (!material) return {};
+  const within = ENGINE_MATERIAL.map((name) => {
+    const { min, max } = OPTIONS[name];
+    return [name, Math.min(Math.max(material[name], min), max)];
+  });
+  return Object.fromEntries(within) as Partial<EngineMaterial>;
 }

@@ -1,5 +1,6 @@
 /** The settings file: what a solver needs to move an optimized mesh as it moves the original. See docs/formats.md. */
 
+import type { EngineMaterial } from '../body/material';
 import type { MassRule, TunedFrequencies, TunedMotion, TuneKind } from '../core/core';
 import { VERSION } from '../core/version';
 import type { ExportedSettings } from '../document/export';
@@ -77,6 +78,8 @@ export interface SettingsFile {
   /** of the first body, as all that is not in `bodies` */
   engine: NativeValues;
   original: OriginalSettings;
+  /** as set; `thickness` in % of each body's diagonal. Files of the first versions lack it */
+  material?: EngineMaterial;
   bodies: BodySettings[];
   /** of the first level, the body whose frequencies are off most */
   frequencies: Partial<TunedFrequencies>;
@@ -92,7 +95,8 @@ export interface SettledBody {
 }
 
 /** The content of the file; `bodies` are those of the first level, then those of the others. At least one. */
-export function settingsFile(bodies: SettledBody[]): SettingsFile {
+export function settingsFile(bodies: SettledBody[], settings: EngineMaterial): SettingsFile {
+  const { young, poisson, density, thickness, bendRatio } = settings;
   const { solver, tune } = bodies[0].tuned;
   const entries = bodies.map(bodySettings);
   const [{ engine, original, unit }] = entries;
@@ -106,6 +110,7 @@ export function settingsFile(bodies: SettledBody[]): SettingsFile {
     units: { length: unit },
     engine,
     original,
+    material: { young, poisson, density, thickness, bendRatio },
     bodies: entries,
     frequencies: shortened(knownErrors(worst.tuned.frequencies)),
     ...motionOf(worst),

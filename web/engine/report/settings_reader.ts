@@ -1,5 +1,6 @@
 /** Reads a settings file and checks it, so that what works with it need not. */
 
+import { ENGINE_MATERIAL } from '../body/material';
 import { OPTIONS } from '../settings/table';
 import { SOLVER_NAMES } from '../solvers/profiles';
 import { SETTINGS_SCHEMA } from './settings_file';
@@ -91,6 +92,8 @@ export function readSettingsFile(name: string, text: string): SettingsFile {
     return fail(`has a tuning that is none of ${OPTIONS.tune.choices.join(', ')}`);
   if (!isPositiveNumber((file.units as { length?: unknown } | null | undefined)?.length))
     return fail('has a unit that is no length');
+  if (file.material !== undefined && !hasNumbers(file.material, ENGINE_MATERIAL))
+    return fail('has a damaged material');
   for (const body of file.bodies as BodySettings[]) {
     const problem = problemOf(body);
     if (problem)

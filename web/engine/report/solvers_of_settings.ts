@@ -24,8 +24,8 @@ export function solversOfSettings(
   result: PreparedBody,
   unit: number,
 ): SolverPair {
-  const entry = entryOf(bodies, result);
-  if (Math.abs(entry.unit / unit - 1) > 1e-9)
+  const entry = entryOf(bodies, result, unit);
+  if (!isOfUnit(entry, unit))
     throw new Error(
       `The settings of "${entry.name}" are for ${entry.unit} m a unit, but here it is ${unit} m: give the --unit of the settings.`,
     );
@@ -51,8 +51,13 @@ function checkOriginal({ name, original }: BodySettings, { vertices, faces }: Me
   );
 }
 
-/** The entry of a body, of all levels: one that has its vertices and faces; of several the one whose vertices are nearest. */
-function entryOf(bodies: BodySettings[], result: PreparedBody): BodySettings {
+const isOfUnit = (entry: BodySettings, unit: number): boolean => Math.abs(entry.unit / unit - 1) <= 1e-9;
+
+/**
+ * The entry of a body, of all levels: one that has its vertices and faces; of several one that has its unit too, and whose
+ * vertices are nearest.
+ */
+function entryOf(bodies: BodySettings[], result: PreparedBody, unit: number): BodySettings {
   const { body, mesh } = result;
   const vertices = verticesInFile(body).length;
   const found = bodies.filter(
@@ -61,10 +66,12 @@ function entryOf(bodies: BodySettings[], result: PreparedBody): BodySettings {
       entry.renderVertices.length === vertices &&
       entry.mesh.triangles.length === mesh.triangles.length,
   );
-  if (found.length === 1) return found[0];
-  if (found.length > 1) {
-    const distances = found.map((entry) => distanceOf(entry, result));
-    return found[distances.indexOf(Math.min(...distances))];
+  const ofUnit = found.filter((entry) => isOfUnit(entry, unit));
+  const candidates = ofUnit.length > 0 ? ofUnit : found;
+  if (candidates.length === 1) return candidates[0];
+  if (candidates.length > 1) {
+    const distances = candidates.map((entry) => distanceOf(entry, result));
+    return candidates[distances.indexOf(Math.min(...distances))];
   }
   throw new Error(
     `The settings are not of "${body.name}" with ${faceCount(mesh)} faces: take those that were written with this file.`,

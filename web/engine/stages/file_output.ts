@@ -159,7 +159,7 @@ export class FileOutput {
         tuned: own[level].tuned,
       })),
     );
-    return writeSettings(settingsFile(bodies));
+    return writeSettings(settingsFile(bodies, this.request.settings));
   }
 
   prepared(): PreparedBody[] {

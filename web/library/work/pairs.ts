@@ -77,7 +77,7 @@ export async function tuneModel(session: WorkSession, [first, second]: ModelFile
     renderVertices: weldedVerticesInFile(other),
     tuned: tuned[i],
   }));
-  const text = writeSettings(settingsFile(bodies));
+  const text = writeSettings(settingsFile(bodies, settings));
   const report = {
     ...startReport(core, 'tune', settingsAsUsed('tune', settings), originals),
     ...solverReport(tuned),
