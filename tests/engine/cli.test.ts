@@ -563,6 +563,10 @@ describe('a wrong command line', () => {
     ],
     ['simulate torus.obj --calibrate', '--calibrate matches B to A: name both files.'],
     [
+      'simulate torus.obj torus.obj --calibrate --settings s.json',
+      '--calibrate is for no solver, and --settings is tuned for one: leave one of them out.',
+    ],
+    [
       'simulate torus.obj torus.obj --calibrate --material springs',
       '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
     ],

@@ -38,7 +38,7 @@ describe('settings', () => {
   });
 
   it('are a fresh copy each time', () => {
-    defaultSettings().modeWeights.push(1);
+    (defaultSettings().modeWeights as number[]).push(1);
     expect(defaultSettings().modeWeights).toEqual([]);
   });
 

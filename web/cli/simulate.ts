@@ -99,11 +99,15 @@ function checkArguments(args: Arguments): void {
   checkCalibration(args);
 }
 
-function checkCalibration({ settings, operands }: Arguments): void {
+function checkCalibration({ settings, operands, settingsFile }: Arguments): void {
   if (!settings.calibrate) return;
   if (operands.length < 2) throw new UsageError('--calibrate matches B to A: name both files.');
   if (settings.solver !== 'none')
     throw new UsageError('--calibrate is for no solver: --solver tunes with --settings instead.');
+  if (settingsFile !== null)
+    throw new UsageError(
+      '--calibrate is for no solver, and --settings is tuned for one: leave one of them out.',
+    );
   if (settings.material === 'springs')
     throw new UsageError(
       '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',

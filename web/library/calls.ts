@@ -138,7 +138,8 @@ async function work<Name extends CommandName>(
 ): Promise<Commands[Name]['reply']> {
   checkOptions(options);
   checkRun(run);
-  run.signal?.throwIfAborted();
+  // Signals of older browsers and of libraries have no throwIfAborted.
+  if (run.signal?.aborted) throw run.signal.reason;
   const files = await Promise.all(models.map(filesOf));
   return workQueue().run(command, files, options, run);
 }

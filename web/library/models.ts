@@ -1,7 +1,7 @@
 /** Models of callers as files for the worker, and results in documents of callers. */
 
 import { Accessor, Format, Logger, PropertyType, WebIO } from '@gltf-transform/core';
-import type { Document, Extension } from '@gltf-transform/core';
+import type { Document, Extension, Primitive } from '@gltf-transform/core';
 import { replaceBodies } from '../engine/document/export';
 import { tangentGenerator } from '../engine/document/shading/tangents';
 import { rememberTargetNames } from '../engine/document/write/target_names';
@@ -81,10 +81,27 @@ export async function applyBodies(
   fields: boolean,
 ): Promise<void> {
   const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer();
+  separatePrimitives(document);
   // Meshes without normals stay without, as in every glTF.
   replaceBodies({ document, buffer }, bodies, {
     fields,
     smoothed: false,
     tangents: await tangentGenerator(document),
   });
+}
+
+/** Gives each mesh primitives and morph targets of its own, as it has in a file: copies of a mesh share them. */
+function separatePrimitives(document: Document): void {
+  const taken = new Set<Primitive>();
+  for (const mesh of document.getRoot().listMeshes())
+    for (const primitive of mesh.listPrimitives()) {
+      if (taken.has(primitive)) mesh.swap(primitive, ownCopy(primitive));
+      taken.add(primitive);
+    }
+}
+
+function ownCopy(primitive: Primitive): Primitive {
+  const copy = primitive.clone();
+  for (const target of copy.listTargets()) copy.swap(target, target.clone());
+  return copy;
 }

@@ -13,7 +13,8 @@ export function startNodeWorker(listener: Listener): StartedWorker {
     throw new Error(
       `${program.pathname} is missing: let the bundler leave limber external for Node, as packages with files are.`,
     );
-  const worker = new Worker(program);
+  // The program needs no flags of the caller, of which workers refuse some, such as --input-type.
+  const worker = new Worker(program, { execArgv: [] });
   worker.on('message', (message: WorkMessage) => listener.onMessage(message));
   worker.on('error', (error: Error) => listener.onError(error));
   worker.on('exit', (code) => listener.onError(new Error(`The worker has ended with exit code ${code}.`)));

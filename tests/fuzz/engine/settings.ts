@@ -74,10 +74,14 @@ const commandLines: FuzzTarget = {
 export const SETTINGS_FILE = {
   schema: SETTINGS_SCHEMA,
   solver: SOLVER_NAMES[0],
+  tune: 'global',
+  units: { length: 1 },
+  material: { young: 1e6, poisson: 0.3, density: 1100, thickness: 2, bendRatio: 0.05 },
   bodies: [
     {
-      name: 'a',
-      level: 0,
+      ...{ name: 'a', level: 0, unit: 1 },
+      engine: { young: 1e6 },
+      original: { vertices: 9, faces: 8, totalMass: 4, stretch: 1, bend: 1, young: 1e6 },
       mesh: { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0], triangles: [0, 1, 2, 2, 1, 3] },
       renderVertices: [0, 1, 2, 3, -1],
       mass: { rule: 'area', perVertex: [1, 1, 1, 1] },

@@ -120,8 +120,8 @@ export type OptionOf<Kind extends OptionKind> = Extract<OptionSpec, { kind: Kind
 interface ValueOfKind {
   integer: number;
   number: number;
-  modes: 'auto' | 'all' | number[];
-  numbers: number[];
+  modes: 'auto' | 'all' | readonly number[];
+  numbers: readonly number[];
   pins: string;
   paint: string;
   colliders: string;

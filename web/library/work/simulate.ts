@@ -90,8 +90,10 @@ function checkCarried(
   if (lonely && !isPair) throw new Error(`${lonely} is for the other model, which is missing: give both.`);
   if (!settings.calibrate) return;
   if (!isPair) throw new Error('calibrate matches the other model to the original: give both.');
-  if (settings.solver !== 'none' || settings.material === 'springs')
-    throw new Error('calibrate is for material "shell" and no solver: leave the others out.');
+  if (settings.solver !== 'none' || settingsFile !== null || settings.material === 'springs')
+    throw new Error(
+      'calibrate is for material "shell" and no solver, which a settingsFile brings too: leave the others out.',
+    );
 }
 
 function readCarried(
