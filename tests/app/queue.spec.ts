@@ -134,7 +134,8 @@ test('of a settings file of several bodies the shown one takes its own unit and 
   await drop(page, writeScratch('tubes.glb', await standingTubes()));
   await goTo(page, 'Reduce');
   await expect(keptFaces(page)).toBeEnabled();
-  await keepFaces(page, 600);
+  await keptFaces(page).fill('600');
+  await keptFaces(page).press('Enter');
   await button(page, 'Export').click();
   await page.getByLabel('Solver').selectOption('springs');
   await expect(button(page, 'Save settings')).toBeEnabled();
@@ -147,7 +148,8 @@ test('of a settings file of several bodies the shown one takes its own unit and 
   file.bodies = [{ ...blue, unit: 0.01 }, red];
   file.units.length = 0.01;
   await page.getByLabel('Solver').selectOption('none');
-  await keepFaces(page, 900);
+  await keptFaces(page).fill('900');
+  await keptFaces(page).press('Enter');
   await drop(page, writeScratch('tubes.settings.json', JSON.stringify(file)));
   const faces = (red.mesh.triangles.length + blue.mesh.triangles.length) / 3;
   await expect(page.getByRole('status').filter({ hasText: 'tubes.settings.json' })).toContainText(

@@ -16,20 +16,20 @@ import { count, say } from '../language/say';
 export const isSettingsName = ({ name }: SourceFile): boolean => /\.json$/i.test(name);
 
 /** The parameters as a text of the setting `engine`. Throws SettingError where they are out of their range. */
-export function engineAskedBy(file: SettingsFile): string {
+function engineAskedBy(file: SettingsFile): string {
   const engine = engineText(originalParameters(file));
   engineValues(file.solver, engine);
   return engine;
 }
 
 /** Faces of the first level, of all bodies. */
-export const facesIn = ({ bodies }: SettingsFile): number =>
+const facesIn = ({ bodies }: SettingsFile): number =>
   bodies
     .filter(({ level }) => level === bodies[0].level)
     .reduce((sum, { mesh }) => sum + mesh.triangles.length / 3, 0);
 
 /** What the file has of the body of this name; of a file of one body, which may have been renamed, that one. */
-export function entryNamed({ bodies }: SettingsFile, name: string): BodySettings | null {
+function entryNamed({ bodies }: SettingsFile, name: string): BodySettings | null {
   const first = bodies.filter(({ level }) => level === bodies[0].level);
   return first.find((body) => body.name === name) ?? (first.length === 1 ? first[0] : null);
 }

@@ -90,10 +90,12 @@ function checkCarried(
   if (lonely && !isPair) throw new Error(`${lonely} is for the other model, which is missing: give both.`);
   if (!settings.calibrate) return;
   if (!isPair) throw new Error('calibrate matches the other model to the original: give both.');
-  if (settings.solver !== 'none' || settingsFile !== null || settings.material === 'springs')
+  if (settingsFile !== null)
     throw new Error(
-      'calibrate is for material "shell" and no solver, which a settingsFile brings too: leave the others out.',
+      'calibrate is for no solver, and a settingsFile is tuned for one: leave one of them out.',
     );
+  if (settings.solver !== 'none' || settings.material === 'springs')
+    throw new Error('calibrate is for material "shell" and no solver: leave the others out.');
 }
 
 function readCarried(
