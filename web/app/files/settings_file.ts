@@ -3,6 +3,7 @@
 import { batch } from '@preact/signals';
 import { originalMaterial, originalParameters } from '../../engine/report/original_parameters';
 import { readSettingsFile } from '../../engine/report/settings_reader';
+import { firstLevel } from '../../engine/report/settings_file';
 import type { BodySettings, SettingsFile } from '../../engine/report/settings_file';
 import type { SourceFile } from '../../engine/document/open';
 import { engineText, engineValues } from '../../engine/settings/engine_text';
@@ -24,13 +25,11 @@ function engineAskedBy(file: SettingsFile): string {
 
 /** Faces of the first level, of all bodies. */
 const facesIn = ({ bodies }: SettingsFile): number =>
-  bodies
-    .filter(({ level }) => level === bodies[0].level)
-    .reduce((sum, { mesh }) => sum + mesh.triangles.length / 3, 0);
+  firstLevel(bodies).reduce((sum, { mesh }) => sum + mesh.triangles.length / 3, 0);
 
 /** What the file has of the body of this name; of a file of one body, which may have been renamed, that one. */
 function entryNamed({ bodies }: SettingsFile, name: string): BodySettings | null {
-  const first = bodies.filter(({ level }) => level === bodies[0].level);
+  const first = firstLevel(bodies);
   return first.find((body) => body.name === name) ?? (first.length === 1 ? first[0] : null);
 }
 

@@ -4,6 +4,7 @@ import { ENGINE_MATERIAL } from '../body/material';
 import type { EngineMaterial } from '../body/material';
 import { OPTIONS } from '../settings/table';
 import type { NativeValues } from '../solvers/profile';
+import { firstLevel } from './settings_file';
 import type { SettingsFile } from './settings_file';
 
 /**
@@ -11,7 +12,7 @@ import type { SettingsFile } from './settings_file';
  * the material of the file: it is left out, so that each has its own again.
  */
 export function originalParameters({ bodies }: SettingsFile): NativeValues {
-  const first = bodies.filter(({ level }) => level === bodies[0].level);
+  const first = firstLevel(bodies);
   const { engine, original } = first[0];
   const isShared = (name: string): boolean =>
     name in engine && first.every((body) => body.original[name] === original[name]);

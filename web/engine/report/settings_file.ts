@@ -100,7 +100,7 @@ export function settingsFile(bodies: SettledBody[], settings: EngineMaterial): S
   const { solver, tune } = bodies[0].tuned;
   const entries = bodies.map(bodySettings);
   const [{ engine, original, unit }] = entries;
-  const worst = worstTuned(bodies.filter(({ level }) => level === bodies[0].level).map((body) => body.tuned));
+  const worst = worstTuned(firstLevel(bodies).map((body) => body.tuned));
   return {
     schema: SETTINGS_SCHEMA,
     version: VERSION,
@@ -116,6 +116,10 @@ export function settingsFile(bodies: SettledBody[], settings: EngineMaterial): S
     ...motionOf(worst),
   };
 }
+
+/** Those of the first level, which come first. */
+export const firstLevel = <Body extends { level: number }>(bodies: Body[]): Body[] =>
+  bodies.filter(({ level }) => level === bodies[0].level);
 
 /** The body whose frequencies are off most when tuned, the first of equal ones. */
 export const worstTuned = (bodies: TunedBody[]): TunedBody =>

@@ -68,8 +68,7 @@ function entryOf(bodies: BodySettings[], result: PreparedBody, unit: number): Bo
   );
   const ofUnit = found.filter((entry) => isOfUnit(entry, unit));
   const candidates = ofUnit.length > 0 ? ofUnit : found;
-  if (candidates.length === 1) return candidates[0];
-  if (candidates.length > 1) {
+  if (candidates.length > 0) {
     const distances = candidates.map((entry) => distanceOf(entry, result));
     return candidates[distances.indexOf(Math.min(...distances))];
   }
