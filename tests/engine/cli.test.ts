@@ -579,6 +579,14 @@ describe('a wrong command line', () => {
       'tune torus.obj torus.obj --solver mujoco --settings s.json --bend-ratio 0.1',
       '--bend-ratio is for springs and dihedral without a bend of --engine: leave it out, and give mujoco its own numbers by --engine.',
     ],
+    [
+      'simulate torus.obj torus.obj --solver jolt --settings s.json --engine compliance=1',
+      '--engine is given beside a settings file, which has what the original was tuned to: leave one of them out.',
+    ],
+    [
+      'simulate torus.obj torus.obj --solver jolt --settings s.json --mass area',
+      '--mass is given beside a settings file, which has what the original was tuned to: leave one of them out.',
+    ],
     ['simulate torus.obj torus.obj --bind none.json', 'none.json cannot be read: there is no such file.'],
     ['compare torus.obj two.obj', 'torus.obj has 1 body and two.obj has 2: compare one with --mesh NAME.'],
     [

@@ -78,6 +78,21 @@ describe('pins', () => {
     );
   });
 
+  it('select nothing in a body without the attribute that another body has', async () => {
+    const document = startDocument();
+    const held = primitiveOf(document, grid(1, 1));
+    held.setAttribute('_PIN', floats(document, 'SCALAR', new Float32Array(4).fill(1)));
+    addMesh(document, 'held', [held]);
+    addMesh(document, 'loose', [primitiveOf(document, torus())]);
+    const model = await openModel([await glbFile(document)]);
+    const [first, second] = model.bodies.map((body) => prepareBody(core, body, defaultSettings()));
+    expect([...findPins('attribute:_PIN', model.document, first)]).toEqual([0, 1, 2, 3]);
+    expect([...findPins('attribute:_PIN', model.document, second)]).toEqual([]);
+    expect(() => findPins('attribute:_NO', model.document, second)).toThrow(
+      '“Held in place” names the attribute _NO, but "loose" has POSITION: name one of these.',
+    );
+  });
+
   it.each(['low', 'low:', 'low:x', 'low:101', 'box:1,2,3', 'vertices:1.5', 'vertices:', 'top:5', 'low:5+'])(
     '"%s" is refused with the forms',
     (text) => {

@@ -136,7 +136,7 @@ describe('the settings of a mesh that was read from its own file', () => {
       'The settings are not of "body" with 12 faces: take those that were written with this file.',
     );
     expect(await failureOf(() => solversFor(entry(), 0.01))).toBe(
-      'The settings of "body" are for 1 m a unit, but here it is 0.01 m: give the --unit of the settings.',
+      '“One unit of the file” makes 0.01 m of a unit of "body", but its settings are for 1 m: give the unit that they were made with.',
     );
     const finer = { ...entry(), original: { ...entry().original, vertices: 25, faces: 32 } };
     expect(await failureOf(() => solversFor(finer))).toBe(

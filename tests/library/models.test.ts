@@ -29,3 +29,27 @@ it('are bytes of another realm, too', async () => {
   expect(await filesOf([{ name: 'a.obj', bytes }])).toEqual([{ name: 'a.obj', bytes }]);
   expect(await filesOf(bytes.buffer)).toEqual([{ name: 'model.glb', bytes: new Uint8Array([1, 2, 3]) }]);
 });
+
+it('are documents without a buffer, which stay without', async () => {
+  const document = new Document();
+  const positions = document.createAccessor().setType('VEC3').setArray(new Float32Array(9));
+  const primitive = document.createPrimitive().setAttribute('POSITION', positions);
+  document
+    .createScene()
+    .addChild(document.createNode().setMesh(document.createMesh().addPrimitive(primitive)));
+  expect((await filesOf(document)).map(({ bytes }) => bytes.length)).toEqual([expect.any(Number), 36]);
+  expect(document.getRoot().listBuffers()).toEqual([]);
+});
+
+it('are documents that can be written; others are refused with why', async () => {
+  const document = new Document();
+  const accessor = document.createAccessor().setBuffer(document.createBuffer());
+  document.createMesh().addPrimitive(document.createPrimitive().setAttribute('POSITION', accessor));
+  await expect(filesOf(document)).rejects.toMatchObject({
+    name: 'LimberError',
+    isInternal: false,
+    message: expect.stringMatching(
+      /^The document cannot be written as a glTF \(.*\): mend it, or /,
+    ) as string,
+  });
+});

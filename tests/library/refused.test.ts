@@ -77,6 +77,18 @@ it.each<[CommandName, object, string, string | null]>([
   ['simulate', { binding: {} }, 'binding is an object: give the text of a binding file, or null.', null],
   ['optimize', { engine: 'young=1' }, 'engine needs a solver: name one of shell, ', 'engine'],
   ['simulate', { massRule: 'vertex' }, 'massRule needs a solver: name one of shell, ', 'massRule'],
+  [
+    'simulate',
+    { solver: 'jolt', settingsFile: '{}', massRule: 'area' },
+    'massRule is given beside a settings file, which has what the original was tuned to: leave one of them out.',
+    'massRule',
+  ],
+  [
+    'tune',
+    { solver: 'mujoco', bendRatio: 0.1 },
+    'bendRatio is for springs and dihedral without a bend of engine: leave it out, and give mujoco its own numbers by engine.',
+    'bendRatio',
+  ],
   ['tune', {}, 'tune needs a solver: name one of shell, ', null],
   [
     'optimize',

@@ -8,7 +8,7 @@ import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
-import { askedMotion, solversOf } from '../engine/stages/asked_motion';
+import { askedMotion, checkBesideTuning, solversOf } from '../engine/stages/asked_motion';
 import { describeConvergence } from '../engine/motion/convergence';
 import { describePinTrouble, pinTrouble } from '../engine/motion/still_pins';
 import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
@@ -96,6 +96,7 @@ function checkArguments(args: Arguments): void {
     throw new UsageError('--bind carries pins over to B, which is missing: name both files.');
   if (args.settingsFile !== null && args.operands.length < 2)
     throw new UsageError('--settings has what B is simulated with, which is missing: name both files.');
+  if (args.settingsFile !== null) checkBesideTuning(args.settings);
   checkCalibration(args);
 }
 

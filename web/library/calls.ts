@@ -140,6 +140,6 @@ async function work<Name extends CommandName>(
   checkRun(run);
   // Signals of older browsers and of libraries have no throwIfAborted.
   if (run.signal?.aborted) throw run.signal.reason;
-  const files = await Promise.all(models.map(filesOf));
-  return workQueue().run(command, files, options, run);
+  // Queued at once, whatever the models take: calls are worked on in their order, and `close` ends all that were made.
+  return workQueue().run(command, Promise.all(models.map(filesOf)), options, run);
 }

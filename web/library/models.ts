@@ -3,6 +3,7 @@
 import { Accessor, Format, Logger, PropertyType, WebIO } from '@gltf-transform/core';
 import type { Document, Extension, Primitive } from '@gltf-transform/core';
 import { replaceBodies } from '../engine/document/export';
+import { listUnused } from '../engine/document/prune';
 import { tangentGenerator } from '../engine/document/shading/tangents';
 import { rememberTargetNames } from '../engine/document/write/target_names';
 import { LimberError } from './options';
@@ -52,7 +53,11 @@ async function filesOfDocument(document: Document): Promise<ModelFiles> {
     .setLogger(new Logger(Logger.Verbosity.SILENT))
     .registerExtensions(plain.map((extension) => extension.constructor as typeof Extension));
   const putTargetNames = rememberTargetNames(document);
-  const { json, resources } = await io.writeJSON(document, { format: Format.GLTF, basename: 'document' });
+  const takeBuffers = lendBuffers(document);
+  const { json, resources } = await io
+    .writeJSON(document, { format: Format.GLTF, basename: 'document' })
+    .catch(unwritable)
+    .finally(takeBuffers);
   putTargetNames(json);
   // A document read from a folder can name places that no file of a model may name.
   const names = new Map(Object.keys(resources).map((address, i) => [address, `resource${i}`]));
@@ -63,6 +68,26 @@ async function filesOfDocument(document: Document): Promise<ModelFiles> {
   const text = new TextEncoder().encode(JSON.stringify({ ...named, extensionsRequired: undefined }));
   const companions = Object.entries(resources).map(([name, bytes]) => ({ name: names.get(name)!, bytes }));
   return [{ name: 'document.gltf', bytes: text }, ...companions];
+}
+
+/** Gives accessors that have no buffer one for a while, as the writer leaves them out otherwise. Returns what takes it again. */
+function lendBuffers(document: Document): () => void {
+  const root = document.getRoot();
+  const loose = root.listAccessors().filter((accessor) => accessor.getBuffer() === null);
+  const [first = null] = root.listBuffers();
+  const lent = first || loose.length === 0 ? null : document.createBuffer();
+  for (const accessor of loose) accessor.setBuffer(first ?? lent);
+  return () => {
+    for (const accessor of loose) accessor.setBuffer(null);
+    lent?.dispose();
+  };
+}
+
+function unwritable(error: unknown): never {
+  const why = error instanceof Error ? error.message : String(error);
+  throw new LimberError(
+    `The document cannot be written as a glTF (${why}): mend it, or give the bytes of a model.`,
+  );
 }
 
 /** Bundles for browsers have a copy of glTF-Transform; its writer looks for accessors of its own, and the document has others. */
@@ -82,9 +107,11 @@ export async function applyBodies(
 ): Promise<void> {
   const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer();
   separatePrimitives(document);
+  const spared = listUnused(document);
   // Meshes without normals stay without, as in every glTF.
   replaceBodies({ document, buffer }, bodies, {
     fields,
+    spared,
     smoothed: false,
     tangents: await tangentGenerator(document),
   });

@@ -7,7 +7,7 @@ import { startWorker } from './start_worker';
 
 interface Work {
   command: CommandName;
-  models: ModelFiles[];
+  models: Promise<ModelFiles[]>;
   options: Commands[CommandName]['options'];
   run: RunOptions;
   resolve(value: unknown): void;
@@ -26,12 +26,14 @@ class WorkQueue {
   /** Rejects with the signal's reason where it is aborted, otherwise with a LimberError. */
   run<Name extends CommandName>(
     command: Name,
-    models: ModelFiles[],
+    models: Promise<ModelFiles[]>,
     options: Commands[Name]['options'],
     run: RunOptions,
   ): Promise<Commands[Name]['reply']> {
     return new Promise((resolve, reject) => {
       const { signal } = run;
+      // Where they cannot be had, their turn tells.
+      models.catch(() => {});
       if (signal?.aborted) return reject(signal.reason);
       const onAbort = () => this.abort(work, signal!.reason);
       const settle =
@@ -61,11 +63,15 @@ class WorkQueue {
     const work = this.waiting.shift();
     if (!work) return;
     this.running = work;
-    this.begin(work).catch((error: unknown) => this.fail(work, error));
+    work.models.then(
+      (models) => this.begin(work, models).catch((error: unknown) => this.fail(work, error)),
+      (error: unknown) => this.refuse(work, error),
+    );
   }
 
-  private async begin(work: Work): Promise<void> {
-    const { run, command, models, options } = work;
+  private async begin(work: Work, models: ModelFiles[]): Promise<void> {
+    if (this.running !== work) return;
+    const { run, command, options } = work;
     this.useThreads(options.threads ?? 0);
     this.assets = run.assets ?? this.assets;
     this.worker ??= this.start();
@@ -138,6 +144,13 @@ class WorkQueue {
 
   private fail(work: Work, error: unknown): void {
     this.end();
+    work.reject(error instanceof LimberError ? error : internalError(error));
+    this.next();
+  }
+
+  /** There is no model to send: the worker knows nothing of it and stays. */
+  private refuse(work: Work, error: unknown): void {
+    if (this.running === work) this.running = null;
     work.reject(error instanceof LimberError ? error : internalError(error));
     this.next();
   }

@@ -1,7 +1,7 @@
 /** Which vertices of a body the terms of pins stand for; see settings/pin_text.ts. */
 
 import { vertexCount } from '../core/mesh';
-import type { Document } from '@gltf-transform/core';
+import type { Document, Mesh } from '@gltf-transform/core';
 import { NONE } from '../core/core';
 import { SettingError } from '../settings/errors';
 import { parsePins } from '../settings/pin_text';
@@ -111,7 +111,7 @@ const attributeVertices = (
 
 /**
  * The first component of an attribute at every vertex of the body; 0 where a primitive has none. Throws SettingError about
- * `setting` where no primitive of the body has the attribute.
+ * `setting` where no mesh of the document has the attribute.
  */
 export function firstComponents(
   name: string,
@@ -119,21 +119,23 @@ export function firstComponents(
   { body }: PreparedBody,
   setting: SettingName,
 ): Float32Array {
-  const primitives = document.getRoot().listMeshes()[body.mesh].listPrimitives();
+  const meshes = document.getRoot().listMeshes();
+  const primitives = meshes[body.mesh].listPrimitives();
   const values = new Float32Array(vertexCount(body));
-  let isFound = false;
   for (const { primitive, firstVertex } of body.spans) {
     const attribute = primitives[primitive].getAttribute(name);
     if (!attribute) continue;
-    isFound = true;
     const element: number[] = [];
     for (let v = 0; v < attribute.getCount(); ++v)
       values[firstVertex + v] = attribute.getElement(v, element)[0];
   }
-  if (isFound) return values;
+  if (meshes.some((mesh) => hasAttribute(mesh, name))) return values;
   const names = [...new Set(primitives.flatMap((primitive) => primitive.listSemantics()))].join(', ');
   throw new SettingError(
     setting,
     `names the attribute ${name}, but "${body.name}" has ${names}: name one of these.`,
   );
 }
+
+const hasAttribute = (mesh: Mesh, name: string): boolean =>
+  mesh.listPrimitives().some((primitive) => primitive.getAttribute(name) !== null);

@@ -14,6 +14,7 @@ import { followMikkTSpace, remakeTangents, tangentGenerator } from './shading/ta
 import type { GenerateTangents } from './shading/tangents';
 import type { ResultNormals } from './shading/normals';
 import { disposeUnused, dropMorphing, dropUncarried, normaliseWeights } from './prune';
+import type { Kept } from './prune';
 import { addSwings } from './shapes';
 import { spanOf } from './facts/spans';
 import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
@@ -100,15 +101,13 @@ export const additionsOf = (model: OpenModel, bodies: (ExportedBody | null)[]): 
   replaced: new Set(bodies.flatMap((exported) => (exported ? [exported.body.mesh] : []))),
 });
 
-export interface ReplaceOptions extends ExportOptions {
+export interface ReplaceOptions extends ExportOptions, Kept {
   /** whether primitives without normals get smooth ones */
   smoothed: boolean;
   /** whether positions and normals of integers stay integers; otherwise they become floats */
   keepsStored?: boolean;
   /** makes tangents of changed faces again, see `tangentGenerator`; null: they are carried */
   tangents: GenerateTangents | null;
-  /** whether nothing that could be referred to by number is disposed of */
-  keepsNumbers?: boolean;
   /** meshes of the document that are no body themselves: copies that become further levels */
   further?: { mesh: Mesh; exported: ExportedBody }[];
 }
@@ -135,7 +134,7 @@ export function replaceBodies(
   normaliseWeights(document);
   if (bodies.some((exported) => exported?.targets?.length))
     addSwings(document, buffer, meshesWithTargets(replaced));
-  disposeUnused(document, replaced, options.keepsNumbers ?? false);
+  disposeUnused(document, replaced, options);
   document.getRoot().getAsset().generator = GENERATOR;
   return replaced;
 }

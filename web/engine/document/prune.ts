@@ -10,6 +10,7 @@ import type {
   Node,
   Primitive,
   Property,
+  Root,
   Texture,
 } from '@gltf-transform/core';
 import type { Features } from '@gltf-transform/extensions';
@@ -108,19 +109,43 @@ function makeSumsOne(arrays: Float32Array[]): void {
   }
 }
 
+/** What stays of what is not used. */
+export interface Kept {
+  /** whether nothing that could be referred to by number is disposed of */
+  keepsNumbers?: boolean;
+  spared?: ReadonlySet<Property>;
+}
+
+const NONE_SPARED: ReadonlySet<Property> = new Set();
+
+const isUnused = (property: Property, root: Root): boolean =>
+  property.listParents().every((parent) => parent === root);
+
+/** What `disposeUnused` would dispose of as the document is: its owner may have plans for it. */
+export function listUnused(document: Document): Set<Property> {
+  const root = document.getRoot();
+  const own = [...root.listSkins(), ...root.listTextures(), ...root.listAccessors()];
+  const ofExtensions = root.listExtensionsUsed().flatMap((extension) => extension.listProperties());
+  return new Set([...own, ...ofExtensions].filter((property) => isUnused(property, root)));
+}
+
 /**
  * Disposes of data, textures, skins and extensions that nothing refers to; nodes, materials and cameras stay. With `keepsNumbers`, so do
- * skins, textures and what extensions list, which others may refer to by number.
+ * skins, textures and what extensions list, which others may refer to by number; so does what is `spared`.
  */
-export function disposeUnused(document: Document, replaced: Set<Primitive>, keepsNumbers: boolean): void {
+export function disposeUnused(
+  document: Document,
+  replaced: Set<Primitive>,
+  { keepsNumbers = false, spared = NONE_SPARED }: Kept,
+): void {
   const root = document.getRoot();
-  const isUnused = (property: Property) => property.listParents().every((parent) => parent === root);
+  const isGone = (property: Property) => isUnused(property, root) && !spared.has(property);
   if (!keepsNumbers) {
-    for (const extension of root.listExtensionsUsed()) disposeOrphans(extension);
-    for (const skin of root.listSkins()) if (isUnused(skin)) skin.dispose();
-    for (const texture of root.listTextures()) if (isUnused(texture)) texture.dispose();
+    for (const extension of root.listExtensionsUsed()) disposeOrphans(extension, spared);
+    for (const skin of root.listSkins()) if (isGone(skin)) skin.dispose();
+    for (const texture of root.listTextures()) if (isGone(texture)) texture.dispose();
   }
-  for (const accessor of root.listAccessors()) if (isUnused(accessor)) accessor.dispose();
+  for (const accessor of root.listAccessors()) if (isGone(accessor)) accessor.dispose();
   const kept = primitivesOf(document).filter((primitive) => !replaced.has(primitive));
   for (const extension of root.listExtensionsUsed())
     if (!isNeeded(document, extension, kept)) extension.dispose();
@@ -136,12 +161,14 @@ const primitivesOf = (document: Document): Primitive[] =>
  * Disposes of the extension's properties that have no parent, until none is left. Variants stay: one that no primitive names shows the
  * materials that are there without any.
  */
-export function disposeOrphans(extension: Extension): void {
+export function disposeOrphans(extension: Extension, spared = NONE_SPARED): void {
   const orphans = extension
     .listProperties()
-    .filter((property) => property.listParents().length === 0 && !isVariant(property));
+    .filter(
+      (property) => property.listParents().length === 0 && !isVariant(property) && !spared.has(property),
+    );
   for (const orphan of orphans) orphan.dispose();
-  if (orphans.length > 0) disposeOrphans(extension);
+  if (orphans.length > 0) disposeOrphans(extension, spared);
 }
 
 function isNeeded(document: Document, extension: Extension, kept: Primitive[]): boolean {

@@ -6,6 +6,7 @@ import { faceCount, vertexCount } from '../core/mesh';
 import { counted } from '../core/words';
 import { verticesInFile, weldedVerticesInFile } from '../body/file_vertices';
 import type { PreparedBody } from '../body/prepared_body';
+import { SettingError } from '../settings/errors';
 import { constraintVertices } from '../solvers/constraint_vertices';
 import { meshFacts } from '../solvers/mesh_facts';
 import type { MeshFacts } from '../solvers/mesh_facts';
@@ -16,7 +17,7 @@ import type { BodySettings, SettingsFile } from './settings_file';
 
 /**
  * What the original and its result are simulated with by a settings file. `unit`: metres per unit of their meshes. Throws an
- * Error with one sentence where the file is not of this result.
+ * Error with one sentence where the file is not of this result, SettingError where it is of another unit.
  */
 export function solversOfSettings(
   { solver, bodies }: SettingsFile,
@@ -26,8 +27,9 @@ export function solversOfSettings(
 ): SolverPair {
   const entry = entryOf(bodies, result, unit);
   if (!isOfUnit(entry, unit))
-    throw new Error(
-      `The settings of "${entry.name}" are for ${entry.unit} m a unit, but here it is ${unit} m: give the --unit of the settings.`,
+    throw new SettingError(
+      'unit',
+      `makes ${unit} m of a unit of "${entry.name}", but its settings are for ${entry.unit} m: give the unit that they were made with.`,
     );
   const facts = meshFacts(original, unit);
   checkOriginal(entry, facts);

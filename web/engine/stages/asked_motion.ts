@@ -4,9 +4,12 @@ import { materialOf } from '../body/material';
 import type { PreparedBody } from '../body/prepared_body';
 import type { SettingsFile } from '../report/settings_file';
 import { solversOfSettings } from '../report/solvers_of_settings';
+import { OPTIONS, SettingError } from '../settings/options';
 import type { Settings } from '../settings/options';
 import type { SolverPair } from '../solvers/solver_pair';
 import { simulatedMaterial, solversAsTheyAre } from '../motion/simulation';
+
+const OF_SETTINGS_FILE = ['engine', 'bendRatio', 'massRule'] as const;
 
 /** What is simulated, for the report. `tuning`: what the other body was tuned with, or null. */
 export function askedMotion(settings: Settings, tuning: SettingsFile | null, isPair: boolean) {
@@ -14,6 +17,16 @@ export function askedMotion(settings: Settings, tuning: SettingsFile | null, isP
   const material = simulatedMaterial(settings);
   const solver = tuning?.solver ?? (named === 'none' ? undefined : named);
   return { material, scenario, solver, tuned: solver && isPair ? tuning !== null : undefined };
+}
+
+/** Throws SettingError where a parameter of the solver is given beside a settings file, which has those of both bodies. */
+export function checkBesideTuning(settings: Settings): void {
+  const setting = OF_SETTINGS_FILE.find((name) => settings[name] !== OPTIONS[name].default);
+  if (setting)
+    throw new SettingError(
+      setting,
+      'is given beside a settings file, which has what the original was tuned to: leave one of them out.',
+    );
 }
 
 /** What both are simulated with in a solver; null without one. */

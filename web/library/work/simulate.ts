@@ -5,7 +5,7 @@ import type { PreparedBody } from '../../engine/body/prepared_body';
 import type { MotionComparison } from '../../engine/core/core';
 import { recordingGlb } from '../../engine/document/recording';
 import type { RecordedBody } from '../../engine/document/recording';
-import { askedMotion, solversOf } from '../../engine/stages/asked_motion';
+import { askedMotion, checkBesideTuning, solversOf } from '../../engine/stages/asked_motion';
 import {
   bindingBetween,
   calibrationOf,
@@ -88,6 +88,7 @@ function checkCarried(
 ): void {
   const lonely = binding !== null ? 'binding' : settingsFile !== null ? 'settingsFile' : null;
   if (lonely && !isPair) throw new Error(`${lonely} is for the other model, which is missing: give both.`);
+  if (settingsFile !== null) checkBesideTuning(settings);
   if (!settings.calibrate) return;
   if (!isPair) throw new Error('calibrate matches the other model to the original: give both.');
   if (settingsFile !== null)

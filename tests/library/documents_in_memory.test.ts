@@ -1,5 +1,7 @@
-/** A document whose meshes share primitives, as copies of a mesh do, is reduced as its file would be. */
+/** Documents in memory have what files have not: meshes that share primitives, and what nothing uses yet. */
 
+import type { Document } from '@gltf-transform/core';
+import { KHRLightsPunctual } from '@gltf-transform/extensions';
 import { expect, it } from 'vitest';
 import { applyBodies, filesOf } from '../../web/library/models';
 import type { OptimizeReply, WorkMessage } from '../../web/library/protocol';
@@ -8,6 +10,18 @@ import { addMesh, primitiveOf, startDocument } from '../engine/support/gltf';
 import { torus } from '../engine/support/shapes';
 
 const wasmFolder = new URL('../../public/wasm/', import.meta.url).href;
+
+async function halve(document: Document): Promise<void> {
+  const messages: WorkMessage[] = [];
+  await new Server((message) => messages.push(message)).answer({
+    command: 'optimize',
+    models: [await filesOf(document)],
+    options: { threads: 1, wantsBodies: true, ratio: 0.5 },
+    core: { wasmFolder },
+  });
+  const { bodies } = (messages.at(-1) as { value: OptimizeReply }).value;
+  await applyBodies(document, bodies, false);
+}
 
 it('each mesh gets its own result', async () => {
   const document = startDocument();
@@ -21,15 +35,7 @@ it('each mesh gets its own result', async () => {
   document.getRoot().getDefaultScene()!.addChild(document.createNode('copy').setMesh(copy));
   const faces = first.getIndices()!.getCount() / 3;
 
-  const messages: WorkMessage[] = [];
-  await new Server((message) => messages.push(message)).answer({
-    command: 'optimize',
-    models: [await filesOf(document)],
-    options: { threads: 1, wantsBodies: true, ratio: 0.5 },
-    core: { wasmFolder },
-  });
-  const { bodies } = (messages.at(-1) as { value: OptimizeReply }).value;
-  await applyBodies(document, bodies, false);
+  await halve(document);
 
   const primitives = document
     .getRoot()
@@ -44,4 +50,20 @@ it('each mesh gets its own result', async () => {
     expect(Math.max(...indices)).toBeLessThan(positions.getCount());
     expect(indices.length / 3).toBeLessThan(0.75 * faces);
   }
+});
+
+it('what nothing uses yet stays, and what the result needs no more is gone', async () => {
+  const document = startDocument();
+  const primitive = primitiveOf(document, torus());
+  addMesh(document, 'ring', [primitive]);
+  const kept = [
+    document.createTexture('later'),
+    document.createAccessor('later').setArray(new Float32Array(3)),
+    document.createSkin('later'),
+    document.createExtension(KHRLightsPunctual).createLight('later'),
+  ];
+  const [positions, indices] = [primitive.getAttribute('POSITION')!, primitive.getIndices()!];
+  await halve(document);
+  expect(kept.map((property) => property.isDisposed())).toEqual(kept.map(() => false));
+  expect([positions, indices].map((property) => property.isDisposed())).toEqual([true, true]);
 });
