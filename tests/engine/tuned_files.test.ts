@@ -16,7 +16,7 @@ import type { Report } from '../../web/engine/report/report';
 import type { BodySettings, SettingsFile } from '../../web/engine/report/settings_file';
 import { readSettingsFile } from '../../web/engine/report/settings_reader';
 import { createGltfIo } from '../../web/engine/document/gltf_io';
-import { readGlb } from './support/gltf';
+import { addMesh, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
 import { grid, toObj, torus } from './support/shapes';
 
 let folder: string;
@@ -266,5 +266,19 @@ describe('what cannot be tuned is refused with one sentence', () => {
       expect(await failureOf('tune', 'torus.obj', other, '--solver', 'jolt', '--settings', 'x.json')).toMatch(
         /^[^.]+\.?[^.]*(original|place and pose)/,
       );
+  });
+
+  it('one of several bodies, by its name', async () => {
+    const small = torus(10, 6);
+    small.positions.forEach((value, i) => (small.positions[i] = 3 * value));
+    const [document, coarse] = [startDocument(), startDocument()];
+    for (const [name, mesh] of [['ring', torus()], ['band', torus()]] as const) addMesh(document, name, [primitiveOf(document, mesh)]); // prettier-ignore
+    for (const [name, mesh] of [['ring', torus(10, 6)], ['band', small]] as const) addMesh(coarse, name, [primitiveOf(coarse, mesh)]); // prettier-ignore
+    writeFileSync(path('two.glb'), (await glbFile(document)).bytes);
+    writeFileSync(path('two_coarse.glb'), (await glbFile(coarse)).bytes);
+    const words = ['tune', 'two.glb', 'two_coarse.glb', '--solver', 'jolt', '--settings', 'x.json'];
+    expect(await failureOf(...words)).toMatch(
+      /^"band": The coarse mesh is .* times as large as the original/,
+    );
   });
 });

@@ -13,7 +13,7 @@ import { compareTopology, measureDistance } from '../engine/stages/measure';
 import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
-import { finish, openFile, prepareFile, startSession } from './session';
+import { finish, openFile, prepareFile, preparePartners, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';
 import { counted, grouped } from '../engine/core/words';
@@ -28,9 +28,8 @@ export async function runCompare(args: Arguments): Promise<number> {
     await openFile(session, args.operands[1]),
   ];
   const load = stopwatch();
-  const [originals, others] = [first, second].map((model) =>
-    prepareFile(session, model).prepared(args.settings),
-  );
+  const originals = prepareFile(session, first).prepared(args.settings);
+  const others = preparePartners(session, first, second).prepared(args.settings);
   checkPairs(args, originals, others);
   session.warnings.push(...comparedWarnings(originals));
   const weld = stopwatch();

@@ -28,7 +28,7 @@ import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
 import { readText } from './input_files/read_file';
-import { finish, openFile, prepareFile, save, startSession } from './session';
+import { finish, openFile, prepareFile, preparePartners, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';
 import { grouped } from '../engine/core/words';
@@ -52,7 +52,7 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const load = stopwatch();
   const file = prepareFile(session, first);
   const originals = file.prepared(args.settings);
-  const others = second && prepareFile(session, second).prepared(args.settings);
+  const others = second && preparePartners(session, first, second).prepared(args.settings);
   if (others) checkPairs(args, originals, others);
   const sides = { file, originals, others };
   const weld = stopwatch();

@@ -1,6 +1,5 @@
 /** limber tune A B: A is the original, B any coarse mesh of it. */
 
-import { weldedVerticesInFile } from '../engine/body/file_vertices';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { faceCount } from '../engine/core/mesh';
 import { startStopwatch } from '../engine/core/stopwatch';
@@ -12,12 +11,12 @@ import type { SolverName } from '../engine/solvers/profiles';
 import type { TunedBody } from '../engine/solvers/tuned_body';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
-import { tuneMesh, tuneSettings } from '../engine/stages/tune';
+import { ofBodyNamed, settledBody, tuneMesh, tuneSettings } from '../engine/stages/tune';
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
-import { finish, openFile, prepareFile, save, startSession } from './session';
+import { finish, openFile, prepareFile, preparePartners, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
 import { grouped } from '../engine/core/words';
@@ -33,17 +32,12 @@ export async function runTune(args: Arguments): Promise<number> {
   const load = stopwatch();
   const file = prepareFile(session, first);
   const originals = file.prepared(args.settings);
-  const others = prepareFile(session, second).prepared(args.settings);
+  const others = preparePartners(session, first, second).prepared(args.settings);
   checkPairs(args, originals, others);
   const weld = stopwatch();
   const tuned = tuneFile(session, file, others);
   const tune = stopwatch();
-  const bodies = others.map((other, i) => ({
-    name: other.body.name,
-    level: 0,
-    renderVertices: weldedVerticesInFile(other),
-    tuned: tuned[i],
-  }));
+  const bodies = others.map((other, i) => settledBody(other, tuned[i]));
   save(session, path, writeSettings(settingsFile(bodies, args.settings)));
   const found = solverReport(tuned);
   const report = {
@@ -68,7 +62,9 @@ function tuneFile({ core, args }: Session, file: FileRun, others: PreparedBody[]
     const { mesh } = others[i];
     const pinnedOriginal = run.get(STAGES.pinned, args.settings);
     const pinned = core.carryPins(prepared.mesh, pinnedOriginal, mesh);
-    return tuneMesh(core, prepared, { mesh, pinned, pinnedOriginal }, settings);
+    return ofBodyNamed(prepared.body, file.usable.length > 1, () =>
+      tuneMesh(core, prepared, { mesh, pinned, pinnedOriginal }, settings),
+    );
   });
 }
 

@@ -13,3 +13,14 @@ export const verticesInFile = ({ spans }: Pick<Body, 'spans'>): number[] =>
 /** The same as vertices of the welded mesh; -1 where no usable face has them. */
 export const weldedVerticesInFile = ({ weld, body }: PreparedBody): number[] =>
   verticesInFile(body).map((v) => (weld.vertexOfSource[v] === NONE ? -1 : weld.vertexOfSource[v]));
+
+/** positions[3 v + c] of the welded mesh, in the space that its mesh has in the file. */
+export function positionsInFile({ weld, body, mesh }: PreparedBody): Float32Array {
+  if (!body.own) return mesh.positions;
+  const { positions } = body.own;
+  const found = new Float32Array(mesh.positions.length);
+  weld.vertexOfSource.forEach((vertex, source) => {
+    if (vertex !== NONE) found.set(positions.subarray(3 * source, 3 * source + 3), 3 * vertex);
+  });
+  return found;
+}

@@ -41,6 +41,16 @@ export interface Body {
    * ignores the node; the mean of the axes if not uniform
    */
   scale: number;
+  /** of a body that was brought into the space of another mesh; absent: its positions are those of the file */
+  own?: OwnSpace;
+}
+
+/** The space of a mesh of the file, which its body has left. */
+export interface OwnSpace {
+  /** positions[3 * v + c] of the file */
+  positions: Float32Array;
+  /** units of the body per unit of the file's mesh */
+  scale: number;
 }
 
 export interface OpenModel {

@@ -1,6 +1,7 @@
 /** How large the meshes of a document are in its scenes, and how often they stand there. */
 
 import type { Accessor, Document, Mesh, Node } from '@gltf-transform/core';
+import { product } from '../core/affine';
 import { length3 } from '../core/exact_math';
 
 /** The vendor's extension for many copies of one node's mesh. */
@@ -110,11 +111,3 @@ export function meshMatrixOf(node: Node): number[] {
 }
 
 const IDENTITY: readonly number[] = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-
-/** a b of two matrices of four columns. */
-export function product(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
-  return Array.from({ length: 16 }, (_, i) => {
-    const [row, column] = [i % 4, 4 * Math.floor(i / 4)];
-    return [0, 1, 2, 3].reduce((sum, k) => sum + a[4 * k + row] * b[column + k], 0);
-  });
-}

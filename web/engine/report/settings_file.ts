@@ -4,6 +4,7 @@ import type { EngineMaterial } from '../body/material';
 import type { MassRule, TunedFrequencies, TunedMotion, TuneKind } from '../core/core';
 import { VERSION } from '../core/version';
 import type { ExportedSettings } from '../document/export';
+import type { OwnSpace } from '../document/model';
 import { totalMass, valueOfRole } from '../solvers/profile';
 import type { NativeValues, Role } from '../solvers/profile';
 import { profileOf } from '../solvers/profiles';
@@ -92,6 +93,8 @@ export interface SettledBody {
   level: number;
   renderVertices: number[];
   tuned: TunedBody;
+  /** of a mesh that was tuned in the space of another: its own, as in its file */
+  own?: OwnSpace;
 }
 
 /** The content of the file; `bodies` are those of the first level, then those of the others. At least one. */
@@ -132,12 +135,13 @@ const tunedError = ({ tuned }: TunedBody): number =>
 const motionOf = ({ tuned: { motion } }: TunedBody): { motion?: TunedMotion } =>
   motion ? { motion: shortened(motion) } : {};
 
-export function bodySettings({ name, level, renderVertices, tuned: body }: SettledBody): BodySettings {
+export function bodySettings({ name, level, renderVertices, tuned: body, own }: SettledBody): BodySettings {
   const { tuned, result } = body;
+  const { positions, scale } = own ?? { positions: body.mesh.positions, scale: 1 };
   const hasMaps = tuned.stretchField.length > 0;
   return {
-    ...{ name, level, unit: result.constants.unit },
-    mesh: { positions: list(body.mesh.positions), triangles: [...body.mesh.triangles] },
+    ...{ name, level, unit: scale * result.constants.unit },
+    mesh: { positions: list(positions), triangles: [...body.mesh.triangles] },
     renderVertices,
     mass: { rule: body.massRule, original: body.model.mass, perVertex: list(tuned.masses) },
     ...(hasMaps ? { vertex: { stretch: list(tuned.stretchField), bend: list(tuned.bendField) } } : {}),

@@ -4,7 +4,7 @@ import type { SimulatedSolver, SolverModel, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { faceCount, vertexCount } from '../core/mesh';
 import { counted } from '../core/words';
-import { verticesInFile, weldedVerticesInFile } from '../body/file_vertices';
+import { positionsInFile, verticesInFile, weldedVerticesInFile } from '../body/file_vertices';
 import type { PreparedBody } from '../body/prepared_body';
 import { SettingError } from '../settings/errors';
 import { constraintVertices } from '../solvers/constraint_vertices';
@@ -25,11 +25,12 @@ export function solversOfSettings(
   result: PreparedBody,
   unit: number,
 ): SolverPair {
-  const entry = entryOf(bodies, result, unit);
-  if (!isOfUnit(entry, unit))
+  const ownUnit = unit * (result.body.own?.scale ?? 1);
+  const entry = entryOf(bodies, result, ownUnit);
+  if (!isOfUnit(entry, ownUnit))
     throw new SettingError(
       'unit',
-      `makes ${unit} m of a unit of "${entry.name}", but its settings are for ${entry.unit} m: give the unit that they were made with.`,
+      `makes ${ownUnit} m of a unit of "${entry.name}", but its settings are for ${entry.unit} m: give the unit that they were made with.`,
     );
   const facts = meshFacts(original, unit);
   checkOriginal(entry, facts);
@@ -38,7 +39,7 @@ export function solversOfSettings(
   const constants = profile.constants(entry.original, facts);
   return {
     original: { model: modelOf(profile, entry.mass.original ?? 'auto'), constants },
-    result: solverOfEntry(entry, model, result),
+    result: solverOfEntry(entry, { model, unit }, result),
   };
 }
 
@@ -80,10 +81,14 @@ function entryOf(bodies: BodySettings[], result: PreparedBody, unit: number): Bo
 }
 
 /** The solver with the masses and factors of the entry, in the order of the prepared mesh. */
-function solverOfEntry(entry: BodySettings, model: SolverModel, result: PreparedBody): SimulatedSolver {
+function solverOfEntry(
+  entry: BodySettings,
+  { model, unit }: { model: SolverModel; unit: number },
+  result: PreparedBody,
+): SimulatedSolver {
   const of = verticesOf(entry, result);
   const masses = Float64Array.from(of, (v) => entry.mass.perVertex[v]);
-  const { area } = meshFacts(result.mesh, entry.unit);
+  const { area } = meshFacts(result.mesh, unit);
   const total = masses.reduce((sum, mass) => sum + mass, 0);
   const [stretch, bend] = [entry.stretch, entry.bend];
   const constants = {
@@ -92,7 +97,7 @@ function solverOfEntry(entry: BodySettings, model: SolverModel, result: Prepared
     bend: bend.constant,
     poisson: entry.engine.poisson ?? 0,
     surfaceDensity: total / area,
-    unit: entry.unit,
+    unit,
   };
   const here = constraintVertices(result.mesh, model);
   const there = constraintVertices(asMesh(entry), model);
@@ -130,13 +135,13 @@ function listOf(flat: number[] | undefined, size: number): number[][] | null {
 }
 
 /**
- * The sum of squared distances of the vertices of a body from those that the entry has for them, in units of the mesh; Infinity
+ * The sum of squared distances of the vertices of a body from those that the entry has for them, in units of the file's mesh; Infinity
  * where it has none for one.
  */
 function distanceOf(entry: BodySettings, result: PreparedBody): number {
   const of = verticesByFile(entry, result);
   const there = (i: number): number => entry.mesh.positions[3 * of[Math.floor(i / 3)] + (i % 3)] ?? Infinity;
-  return result.mesh.positions.reduce((sum, here, i) => sum + (here - there(i)) ** 2, 0);
+  return positionsInFile(result).reduce((sum, here, i) => sum + (here - there(i)) ** 2, 0);
 }
 
 /** Per vertex of the prepared mesh its vertex in the settings; NONE where they have none for it. */

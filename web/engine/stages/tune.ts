@@ -1,10 +1,13 @@
 /** What the settings ask of a tuning, and a result tuned as they say. */
 
+import { positionsInFile, weldedVerticesInFile } from '../body/file_vertices';
 import { MATERIAL_SETTINGS, materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
 import type { PinnedVertices } from '../body/pins';
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, MeshAt, TriangleMesh } from '../core/core';
+import type { SettledBody } from '../report/settings_file';
+import type { Body } from '../document/model';
 import { engineValues } from '../settings/engine_text';
 import { SettingError } from '../settings/options';
 import type { Settings } from '../settings/options';
@@ -105,4 +108,21 @@ export function tunedErrorOf(
 export function pinnedOfResult(pinned: PinnedVertices, { inputOfVertex }: MeshAt): PinnedVertices {
   const isPinned = new Set(pinned);
   return Uint32Array.from([...inputOfVertex.keys()].filter((vertex) => isPinned.has(inputOfVertex[vertex])));
+}
+
+/** A coarse mesh that was tuned, for the settings file: in the space of its own file. */
+export function settledBody(coarse: PreparedBody, tuned: TunedBody): SettledBody {
+  const { name, own } = coarse.body;
+  const space = own && { positions: positionsInFile(coarse), scale: own.scale };
+  return { name, level: 0, renderVertices: weldedVerticesInFile(coarse), tuned, own: space };
+}
+
+/** What `work` returns; where it throws a sentence about one of several bodies, its name leads it. */
+export function ofBodyNamed<T>({ name }: Body, isOneOfMany: boolean, work: () => T): T {
+  try {
+    return work();
+  } catch (error) {
+    const isSentence = error instanceof Error && error.constructor === Error;
+    throw isOneOfMany && isSentence ? new Error(`"${name}": ${error.message}`) : error;
+  }
 }

@@ -1,7 +1,6 @@
 /** Two models of the same bodies: comparing them, and tuning the second. */
 
 import { materialOf } from '../../engine/body/material';
-import { weldedVerticesInFile } from '../../engine/body/file_vertices';
 import type { PreparedBody } from '../../engine/body/prepared_body';
 import { faceCount } from '../../engine/core/mesh';
 import { counted } from '../../engine/core/words';
@@ -15,7 +14,7 @@ import type { FileRun } from '../../engine/stages/file_run';
 import { comparedWarnings } from '../../engine/stages/file_warnings';
 import { measureDistance } from '../../engine/stages/measure';
 import { STAGES } from '../../engine/stages/stages';
-import { tuneMesh, tuneSettings } from '../../engine/stages/tune';
+import { ofBodyNamed, settledBody, tuneMesh, tuneSettings } from '../../engine/stages/tune';
 import type { CompareReport, Reported, TuneResult } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
@@ -38,7 +37,8 @@ export async function compareModels(
   const { core, settings, notes } = session;
   const models = [await session.open(first), await session.open(second)];
   const load = session.lap();
-  const [originals, others] = models.map((model) => session.prepare(model).prepared(settings));
+  const originals = session.prepare(models[0]).prepared(settings);
+  const others = session.preparePartners(models[0], models[1]).prepared(settings);
   checkPairs(originals, others);
   session.warn(comparedWarnings(originals));
   const weld = session.lap();
@@ -66,17 +66,12 @@ export async function tuneModel(session: WorkSession, [first, second]: ModelFile
   const load = session.lap();
   const file = session.prepare(original);
   const originals = file.prepared(settings);
-  const others = session.prepare(coarse).prepared(settings);
+  const others = session.preparePartners(original, coarse).prepared(settings);
   checkPairs(originals, others);
   const weld = session.lap();
   const tuned = tuneFile(session, file, others);
   const tune = session.lap();
-  const bodies = others.map((other, i) => ({
-    name: other.body.name,
-    level: 0,
-    renderVertices: weldedVerticesInFile(other),
-    tuned: tuned[i],
-  }));
+  const bodies = others.map((other, i) => settledBody(other, tuned[i]));
   const text = writeSettings(settingsFile(bodies, settings));
   const report = {
     ...startReport(core, 'tune', settingsAsUsed('tune', settings), originals),
@@ -96,7 +91,9 @@ function tuneFile({ core, settings }: WorkSession, file: FileRun, others: Prepar
     const { mesh } = others[i];
     const pinnedOriginal = run.get(STAGES.pinned, settings);
     const pinned = core.carryPins(prepared.mesh, pinnedOriginal, mesh);
-    return tuneMesh(core, prepared, { mesh, pinned, pinnedOriginal }, asked);
+    return ofBodyNamed(prepared.body, file.usable.length > 1, () =>
+      tuneMesh(core, prepared, { mesh, pinned, pinnedOriginal }, asked),
+    );
   });
 }
 

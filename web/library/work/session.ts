@@ -1,5 +1,6 @@
 /** What every call needs in the worker: the core, the settings, opened models, notes and progress. */
 
+import { chosenOf, pairedModel } from '../../engine/body/paired_bodies';
 import { chosenBodies } from '../../engine/body/selection';
 import type { Core, Progress } from '../../engine/core/core';
 import { startStopwatch } from '../../engine/core/stopwatch';
@@ -65,6 +66,12 @@ export class WorkSession {
     this.files.push(file);
     this.warn(preparedWarnings(file, this.settings));
     return file;
+  }
+
+  /** As `prepare`, of the bodies beside those of the original: see `pairedModel`. */
+  preparePartners(original: OpenModel, other: OpenModel): FileRun {
+    const [first, second] = [original, other].map((model) => chosenOf(model, this.chosen(model)));
+    return this.prepare(pairedModel(first, second));
   }
 
   warn(warnings: Warning[]): void {

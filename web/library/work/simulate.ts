@@ -56,7 +56,7 @@ export async function simulateModels(
   const load = session.lap();
   const file = session.prepare(original);
   const originals = file.prepared(settings);
-  const others = other && session.prepare(other).prepared(settings);
+  const others = other && session.preparePartners(original, other).prepared(settings);
   if (others) checkPairs(originals, others);
   const sides = { file, originals, others };
   const weld = session.lap();

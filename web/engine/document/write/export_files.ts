@@ -76,8 +76,7 @@ async function filesOf(
   const { libraries, carried } = model;
   if (format === 'obj') return writeObj(document, name, { libraries, carried, mark: GENERATOR });
   const inserted = manner.style === 'files' ? [] : insertLevels(document, levels, manner.style);
-  const isMoved = firsts.some((first) => first?.settings !== undefined);
-  await compressFor(model, document, { stored, manner, replaced, isMoved });
+  await compressFor(model, document, { stored, manner, replaced });
   const additions = {
     ...additionsOf(model, firsts),
     levels: inserted,
@@ -95,14 +94,12 @@ interface Compressed {
   stored: Stored;
   manner: OutputManner;
   replaced: ReadonlySet<Primitive>;
-  /** whether a solver moves meshes of the file, by settings in the space that these meshes have now */
-  isMoved: boolean;
 }
 
 function compressFor(
   model: OpenModel,
   document: Document,
-  { stored, manner, replaced, isMoved }: Compressed,
+  { stored, manner, replaced }: Compressed,
 ): Promise<void> {
   const hasAllBinds = document
     .getRoot()
@@ -114,7 +111,8 @@ function compressFor(
     quantizes: manner.compression !== 'like-input',
     keepsOrder: manner.keepsOrder,
     replaced,
-    keepsNodes: !!model.foreign || !hasAllBinds || isMoved,
+    // What counts the vertices also has their places or distances from them: settings of a solver, and bindings.
+    keepsNodes: !!model.foreign || !hasAllBinds || manner.keepsOrder,
   });
 }
 

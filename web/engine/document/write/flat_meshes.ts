@@ -3,7 +3,8 @@
 import type { Accessor, Document, Material, Node, Primitive } from '@gltf-transform/core';
 import { length3 } from '../../core/exact_math';
 import { influenceSets } from '../influences';
-import { product, worldMatricesOf } from '../placements';
+import { product } from '../../core/affine';
+import { worldMatricesOf } from '../placements';
 import { posed } from './default_pose';
 
 /** The triangles of one primitive at one place. Vertices are numbered as in the primitive. */
