@@ -19,6 +19,7 @@ import { canBeCarried, foreignOf } from './extensions/foreign';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { describeFallbacks, requireFormats } from './checks/fallback_images';
 import { withoutImageless } from './checks/imageless';
+import { withoutShear } from './checks/sheared';
 import { jsonMistake } from '../core/json_mistake';
 import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
@@ -42,8 +43,9 @@ export async function openGltf(
   const { json, notes: imageless } = withoutImageless(inBase64(withKnownNames(jsonDocument.json)));
   // The reader refuses to read what it does not know, even where nothing has to be known of it.
   const required = json.extensionsRequired?.filter((extension) => SUPPORTED_EXTENSIONS.has(extension));
-  jsonDocument.json = required ? { ...json, extensionsRequired: required } : json;
   checkNodes(file.name, json.nodes);
+  const { json: unsheared, notes: sheared } = withoutShear(json);
+  jsonDocument.json = required ? { ...unsheared, extensionsRequired: required } : unsheared;
   const fallbacks = describeFallbacks(json);
   const missing = addCompanions(file, jsonDocument, files);
   const size = sizeOf(file.bytes.length, jsonDocument);
@@ -55,7 +57,14 @@ export async function openGltf(
     format,
     document,
     bodies,
-    notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing), ...imageless, ...fallbacks],
+    notes: [
+      ...notes,
+      ...restPoseNotes(document),
+      ...describeMissing(missing),
+      ...sheared,
+      ...imageless,
+      ...fallbacks,
+    ],
     unread: [],
     stored,
     foreign,
