@@ -5,6 +5,7 @@ import type { Document, Extension, Primitive } from '@gltf-transform/core';
 import { replaceBodies } from '../engine/document/export';
 import { listUnused } from '../engine/document/prune';
 import { tangentGenerator } from '../engine/document/shading/tangents';
+import { rememberShared } from '../engine/document/write/shared_accessors';
 import { rememberTargetNames } from '../engine/document/write/target_names';
 import { LimberError } from './options';
 import type { Model } from './options';
@@ -108,13 +109,15 @@ export async function applyBodies(
   const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer();
   separatePrimitives(document);
   const spared = listUnused(document);
+  const shareAgain = rememberShared(document);
   // Meshes without normals stay without, as in every glTF.
-  replaceBodies({ document, buffer }, bodies, {
+  const replaced = replaceBodies({ document, buffer }, bodies, {
     fields,
     spared,
     smoothed: false,
     tangents: await tangentGenerator(document),
   });
+  shareAgain(replaced);
 }
 
 /** Gives each mesh primitives and morph targets of its own, as it has in a file: copies of a mesh share them. */

@@ -19,6 +19,7 @@ import { addSwings } from './shapes';
 import { spanOf } from './facts/spans';
 import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
+import { rememberShared } from './write/shared_accessors';
 import { likeStored } from './write/stored_values';
 import type { MorphTarget } from './shapes';
 import { GrowingIndices } from './growing';
@@ -79,12 +80,14 @@ export async function exportGlb(
   options: ExportOptions,
 ): Promise<Uint8Array> {
   const destination = await copyForExport(model);
-  replaceBodies(destination, bodies, {
+  const shareAgain = rememberShared(destination.document);
+  const replaced = replaceBodies(destination, bodies, {
     ...options,
     smoothed: isSmoothed(model),
     keepsNumbers: !!model.foreign,
     tangents: await tangentGenerator(model.document),
   });
+  shareAgain(replaced);
   return writeGlb(destination.document, additionsOf(model, bodies));
 }
 
@@ -114,7 +117,7 @@ export interface ReplaceOptions extends ExportOptions, Kept {
 
 /**
  * Replaces meshes of the document itself, as `exportGlb` does in its copy; null keeps a body as it is. Returns the primitives that
- * are written anew.
+ * are written anew, each with accessors of its own.
  */
 export function replaceBodies(
   destination: Destination,

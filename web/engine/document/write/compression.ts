@@ -75,15 +75,17 @@ export interface CompressionRequest {
   keepsOrder: boolean;
   /** the primitives that are written anew; others keep their order */
   replaced: ReadonlySet<Primitive>;
+  /** lets these have equal data in common, which before have data of their own */
+  share: () => void;
   /** whether positions may move into other nodes, which quantized ones do */
   keepsNodes: boolean;
 }
 
-/** Prepares the document for being written compressed: its writer packs the data. */
+/** Prepares the document for being written compressed, or plain: its writer packs the data. */
 export async function compress(document: Document, request: CompressionRequest): Promise<void> {
   const { kind, quantizes, keepsOrder, replaced } = request;
-  if (kind === 'none') return;
   if (kind === 'draco') {
+    request.share();
     unshare(document);
     const { EDGEBREAKER, SEQUENTIAL } = KHRDracoMeshCompression.EncoderMethod;
     const method = keepsOrder ? SEQUENTIAL : EDGEBREAKER;
@@ -96,7 +98,8 @@ export async function compress(document: Document, request: CompressionRequest):
     const encoder = await loadMeshoptEncoder();
     for (const primitive of replaced) reorder(primitive, encoder.reorderMesh);
   }
-  if (quantizes) await quantizeAll(document, request);
+  if (quantizes && kind !== 'none') await quantizeAll(document, request);
+  request.share();
   if (kind === 'meshopt') document.createExtension(EXTMeshoptCompression).setRequired(true);
 }
 
@@ -211,19 +214,45 @@ function reorder(primitive: Primitive, reorderMesh: ReorderMesh): void {
   }
 }
 
-/** Draco packs every primitive by itself, so what it packs is not to be shared with what it does not. */
+/** Draco packs every primitive as a whole, so only those that have all their data in common share what is packed. */
 function unshare(document: Document): void {
-  const primitives = document
-    .getRoot()
-    .listMeshes()
-    .flatMap((mesh) => mesh.listPrimitives());
+  const root = document.getRoot();
+  const numbers = new Map(root.listAccessors().map((accessor, i) => [accessor, i]));
+  const primitives = root.listMeshes().flatMap((mesh) => mesh.listPrimitives());
   const isPacked = (primitive: Primitive) =>
     primitive.getIndices() !== null && (primitive.getMode() as number) === TRIANGLES;
-  const packed = new Set(primitives.filter(isPacked).flatMap(accessorsOf));
-  for (const primitive of primitives) {
-    if (isPacked(primitive)) continue;
-    for (const accessor of accessorsOf(primitive))
-      if (packed.has(accessor)) primitive.swap(accessor, accessor.clone());
+  // The order of vertices stays where they have morph targets, which are not packed.
+  const wholeOf = (primitive: Primitive) => {
+    const named = primitive
+      .listSemantics()
+      .map((name) => `${name} ${numbers.get(primitive.getAttribute(name)!)}`);
+    return [primitive.listTargets().length > 0, numbers.get(primitive.getIndices()!), ...named.sort()].join(
+      ' ',
+    );
+  };
+  const owners = new AccessorOwners();
+  for (const primitive of primitives) if (isPacked(primitive)) owners.give(primitive, wholeOf(primitive));
+  for (const primitive of primitives) if (!isPacked(primitive)) owners.give(primitive, 'plain');
+}
+
+/** Gives accessors to those who ask first; others get copies. */
+class AccessorOwners {
+  private readonly owners = new Map<Accessor, string>();
+  private readonly copies = new Map<string, Map<Accessor, Accessor>>();
+
+  give(primitive: Primitive, owner: string): void {
+    for (const accessor of new Set(accessorsOf(primitive))) {
+      const first = this.owners.get(accessor) ?? owner;
+      this.owners.set(accessor, first);
+      if (first !== owner) primitive.swap(accessor, this.copyOf(accessor, owner));
+    }
+  }
+
+  private copyOf(accessor: Accessor, owner: string): Accessor {
+    const own = this.copies.get(owner) ?? new Map<Accessor, Accessor>();
+    const copy = own.get(accessor) ?? accessor.clone();
+    this.copies.set(owner, own.set(accessor, copy));
+    return copy;
   }
 }
 

@@ -16,6 +16,7 @@ import { objCompanions, writeObj } from './obj_files';
 import { mainName } from './output_form';
 import type { OutputForm, OutputManner } from './output_form';
 import { writePly } from './ply_file';
+import { rememberShared } from './shared_accessors';
 import type { Companion } from './shared_images';
 
 /** A body with what becomes of it. */
@@ -63,6 +64,7 @@ async function filesOf(
   const isGltf = format === 'glb' || format === 'gltf';
   const stored = storedAs(manner.compression, isGltf ? model.stored : undefined);
   const { further, levels } = copiesOf(document, bodies);
+  const shareAgain = rememberShared(document);
   const firsts = bodies.map((one) => one && one.first);
   const replaced = replaceBodies(destination, firsts, {
     fields,
@@ -76,7 +78,8 @@ async function filesOf(
   const { libraries, carried } = model;
   if (format === 'obj') return writeObj(document, name, { libraries, carried, mark: GENERATOR });
   const inserted = manner.style === 'files' ? [] : insertLevels(document, levels, manner.style);
-  await compressFor(model, document, { stored, manner, replaced });
+  const share = () => shareAgain(replaced);
+  await compressFor(model, document, { stored, manner, replaced, share });
   const additions = {
     ...additionsOf(model, firsts),
     levels: inserted,
@@ -94,12 +97,13 @@ interface Compressed {
   stored: Stored;
   manner: OutputManner;
   replaced: ReadonlySet<Primitive>;
+  share: () => void;
 }
 
 function compressFor(
   model: OpenModel,
   document: Document,
-  { stored, manner, replaced }: Compressed,
+  { stored, manner, replaced, share }: Compressed,
 ): Promise<void> {
   const hasAllBinds = document
     .getRoot()
@@ -111,6 +115,7 @@ function compressFor(
     quantizes: manner.compression !== 'like-input',
     keepsOrder: manner.keepsOrder,
     replaced,
+    share,
     // What counts the vertices also has their places or distances from them: settings of a solver, and bindings.
     keepsNodes: !!model.foreign || !hasAllBinds || manner.keepsOrder,
   });
