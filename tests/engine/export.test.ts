@@ -281,6 +281,36 @@ describe('an exported GLB', () => {
     expect(await attribute(false, '_STRAIN')).toBeUndefined();
   });
 
+  it('has nothing of an earlier run where a mesh is replaced, and all of it where it is kept', async () => {
+    const source = startDocument();
+    const earlier = ['_STRAIN', '_CURVATURE', '_LIMBER_MASS', '_LIMBER_BEND'];
+    const extras = { limberSettings: { solver: 'newton' }, limberCalibration: 2, mood: 1 };
+    for (const [name, semantics] of Object.entries({ kept: earlier, new: earlier, own: ['_STRAIN'] })) {
+      const primitive = primitiveOf(source, cube());
+      const values = () => floats(source, 'SCALAR', Array(8).fill(0.5));
+      for (const semantic of semantics) primitive.setAttribute(semantic, values());
+      addMesh(source, name, [primitive]).setExtras(extras);
+    }
+    const { document } = await roundTrip(source, (body) => (body.name === 'kept' ? null : asResult(body)));
+    const semanticsOf = (name: string) => meshNamed(document, name).listPrimitives()[0].listSemantics();
+    expect(semanticsOf('kept')).toEqual(['POSITION', ...earlier]);
+    expect(semanticsOf('new')).toEqual(['POSITION']);
+    expect(semanticsOf('own').sort()).toEqual(['POSITION', '_STRAIN']);
+    expect(meshNamed(document, 'kept').getExtras()).toEqual(extras);
+    expect(meshNamed(document, 'new').getExtras()).toEqual({ mood: 1 });
+    const model = await openModel([await glbFile(source)]);
+    const settings = {
+      extras: { solver: 'jolt' },
+      attributes: { _LIMBER_MASS: new Float32Array(8).fill(3) },
+    };
+    const tuned = model.bodies.map((body) => ({ ...asResult(body), settings }));
+    const again = await readGlb(await exportGlb(model, tuned, { fields: false }));
+    const [primitive] = meshNamed(again, 'new').listPrimitives();
+    expect(primitive.listSemantics().sort()).toEqual(['POSITION', '_LIMBER_MASS']);
+    expect(primitive.getAttribute('_LIMBER_MASS')!.getScalar(0)).toBe(3);
+    expect(meshNamed(again, 'new').getExtras()).toEqual({ limberSettings: settings.extras, mood: 1 });
+  });
+
   it('writes shapes as morph targets, each with an animation', async () => {
     const model = await openModel([textFile('square.obj', SQUARE_OBJ)]);
     const displacements = Float32Array.from({ length: 12 }, (_, i) => i);

@@ -17,6 +17,7 @@ import { disposeUnused, dropMorphing, dropUncarried, normaliseWeights } from './
 import type { Kept } from './prune';
 import { addSwings } from './shapes';
 import { spanOf } from './facts/spans';
+import { dropEarlierAttributes, dropEarlierExtras } from './write/earlier_results';
 import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
 import { rememberShared } from './write/shared_accessors';
@@ -69,8 +70,9 @@ const MANY_VERTICES = 65535;
 /**
  * Writes the model with model.bodies[i] replaced by `bodies[i]`; null keeps a body as it is. The model itself does not
  * change. Written positions equal those of the meshes bit for bit. Every attribute and morph target is interpolated from
- * the body at the corners' sources and keeps its component type. A glTF body without normals gets none, so that viewers
- * shade it flat as before; bodies of other formats get smooth normals, split where faces meet at more than 60 degrees.
+ * the body at the corners' sources and keeps its component type, but what an earlier run has added is left out. A glTF body
+ * without normals gets none, so that viewers shade it flat as before; bodies of other formats get smooth normals, split where
+ * faces meet at more than 60 degrees.
  * Faces keep their primitive and hence their material. Hierarchy, skins, animations, names and extras are preserved;
  * `droppedByExport` lists what is not. The same input gives the same bytes.
  */
@@ -204,6 +206,7 @@ function replaceMesh(
     }
     written.push(primitive);
   });
+  dropEarlierExtras(mesh);
   if (exported.calibration !== undefined)
     mesh.setExtras({ ...mesh.getExtras(), limberCalibration: exported.calibration });
   if (exported.settings) mesh.setExtras({ ...mesh.getExtras(), limberSettings: exported.settings.extras });
@@ -262,6 +265,7 @@ function writePrimitive(
 ): void {
   const { vertexOfMesh, firstCorner, sources } = geometry;
   dropUncarried(primitive);
+  dropEarlierAttributes(primitive);
   carryAttributes(destination, primitive, sources, (i) => normals.at(normals.smoothKey(firstCorner[i])));
   carryTargets(destination, primitive, sources);
   const add = (semantic: string, values: Float32Array<ArrayBuffer>, type: 'VEC3' | 'SCALAR') => {
