@@ -11,6 +11,12 @@ import { join } from 'node:path';
 import initJolt from 'jolt-physics';
 import { afterAll, describe, expect, it } from 'vitest';
 import { joltSoftBody } from '../../docs/engines/load_jolt.mjs';
+import type { TriangleMesh } from '../../web/engine/core/core';
+import { MATERIALS } from '../../web/engine/settings/materials';
+import { meshFacts } from '../../web/engine/solvers/mesh_facts';
+import { completeValues } from '../../web/engine/solvers/profile';
+import { profileOf } from '../../web/engine/solvers/profiles';
+import { grid } from './support/shapes';
 
 const repository = new URL('../../', import.meta.url).pathname;
 const bench = join(repository, 'tests', 'bench', 'engines');
@@ -162,6 +168,47 @@ describe('a flap in the engine, loaded from a settings file', () => {
           `ValueError: this settings file is for jolt: write one with --solver ${engine}`,
         );
       }
+    },
+    60_000,
+  );
+});
+
+describe('a sheet of a real material in Blender, with the defaults of the profile', () => {
+  const python = pythonWith('bpy');
+
+  /** Of 1 m by 1 m, level but for low waves; the first six vertices are half of an edge. */
+  function levelSheet(): TriangleMesh {
+    const { positions, triangles } = grid(10, 10);
+    const level = positions.map((_, k) => {
+      const [x, y] = positions.subarray(k - (k % 3));
+      return [x, 0.02 * Math.sin(6 * x) * Math.cos(5 * y), -y][k % 3];
+    });
+    return { positions: level, triangles };
+  }
+
+  it.skipIf(!python).each(['cotton', 'silk'] as const)(
+    'stays at rest nearly without gravity, held at an edge, and falls with it: %s',
+    (name) => {
+      const sheet = levelSheet();
+      const original = meshFacts(sheet, 1);
+      const { thickness, ...rest } = MATERIALS[name];
+      const material = { ...rest, thickness: (thickness / 100) * Math.SQRT2, bendRatio: 0.05 };
+      const engine = completeValues(profileOf('blender'), { material, original, given: {} });
+      const mesh = { positions: [...sheet.positions], triangles: [...sheet.triangles] };
+      const body = {
+        name,
+        unit: original.unit,
+        mesh,
+        pins: [0, 1, 2, 3, 4, 5],
+        substeps: engine.quality,
+        engine,
+      };
+      const file = writtenSettings(name, { solver: 'blender', bodies: [body] });
+      const found = spawnSync(python!, [join(bench, 'blender_sheet.py'), file], { encoding: 'utf8' });
+      expect(found.status, found.stderr).toBe(0);
+      const way = JSON.parse(found.stdout.trim().split('\n').at(-1)!) as { rest: number; fall: number };
+      expect(way.rest).toBeLessThan(1e-5);
+      expect(way.fall).toBeGreaterThan(0.2);
     },
     60_000,
   );

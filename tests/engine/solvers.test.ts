@@ -178,6 +178,19 @@ describe('blender', () => {
     });
   });
 
+  it('has the damping and the air of a vertex of 0.3 kg for that mass, and as much less for a lighter one', () => {
+    const { values } = stateOf('blender', fine, { mass: 0.3 });
+    expectClose(values, { air: 1, tension_damping: 5, bending_damping: 0.5 });
+    const share = stateOf('blender').values.mass / 0.3;
+    expectClose(stateOf('blender').values, {
+      air: share,
+      tension_damping: 5 * share,
+      bending_damping: 0.5 * share,
+    });
+    expectClose(stateOf('blender', fine, { mass: 0.003, air: 1 }).values, { air: 1, bending_damping: 0.005 });
+    expect(stateOf('blender', fine, { mass: 300 }).values).toMatchObject({ air: 10, tension_damping: 50 });
+  });
+
   it('keeps distances within what it accepts', () => {
     const { values } = untuned({ self_distance_min: 0.09, distance_min: 0.02 });
     expect(values.self_distance_min).toBe(0.1);

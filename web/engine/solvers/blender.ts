@@ -7,6 +7,10 @@
  * `mass` is that of every vertex, and there is no map for it. Air acts on every vertex with 0.01 air times its velocity
  * (SIM_mass_spring_force_drag). Stiffness can vary by vertex groups, towards the maxima.
  *
+ * Dampings and air are forces by velocity, whatever the mass: what a motion loses in a frame goes with them over the mass. Damping
+ * of bending is explicit (spring_angular): d p p^T with p = (1, 1, -1, -1) / 3 on a flat hinge, so that a step of 1 / quality frames
+ * blows up where bending_damping is above about mass quality. Blender's defaults are for its default mass.
+ *
  * Units: gravity enters times 0.001 and time counts in frames (cloth_calc_force), so that gravity is real where a frame lasts
  * sqrt(0.001) s, 31.6 frames a second. In that time stiffness in N/m is 1000 times what the modifier has.
  */
@@ -19,6 +23,10 @@ import type { Change, SolverProfile } from './profile';
 /** 1 / (seconds in a frame)^2 */
 const TIME = 1000;
 const HINGE = 0.1;
+/** kg, of a vertex in Blender's default cloth */
+const DEFAULT_MASS = 0.3;
+/** Beyond this share of Blender's defaults, air and damping of edges leave their ranges. */
+const LARGEST_SHARE = 10;
 
 /** The mean stiffness (N m) of a hinge for `bending` 1: a third of the areas of both of its triangles. */
 const hingeOf = ({ area, faces }: MeshFacts): number => (TIME * HINGE * 2 * area) / (3 * faces);
@@ -121,13 +129,17 @@ export const blender: SolverProfile = {
       carried: asItIs,
     },
   ],
-  defaults(material, facts) {
+  defaults(material, facts, given) {
     const { area, vertices, meanEdge } = facts;
+    const mass = given.mass ?? (material.density * material.thickness * area) / vertices;
+    // A lighter vertex gets as much less air and damping, so that it moves as one of Blender's default cloth.
+    const share = Math.min(LARGEST_SHARE, mass / DEFAULT_MASS);
     return {
       tension: (springOfPlate(material) * meanEdge) / TIME,
       bending: hingeOfPlate(material) / hingeOf(facts),
-      mass: (material.density * material.thickness * area) / vertices,
-      ...{ shear: 5, air: 1, tension_damping: 5, bending_damping: 0.5 },
+      mass,
+      shear: 5,
+      ...{ air: share, tension_damping: 5 * share, bending_damping: 0.5 * share },
       ...{ distance_min: 0.015, self_distance_min: 0.015, friction: 5, quality: 20 },
     };
   },
