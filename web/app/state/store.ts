@@ -189,6 +189,12 @@ export const shownFit = computed(() => {
   return fitted?.key === wantedKey(STAGES.fitted) ? fitted : null;
 });
 
+/** Whether a limit on the deviation or on the frequencies has ended the shown result above the wanted faces. */
+export const isLimited = computed(() => {
+  const { value: fit } = shownFit;
+  return fit !== null && (fit.guard !== null || fit.frequency?.isBinding === true);
+});
+
 /** What has been measured on the shown mesh; null until it is done. */
 export const shownMetrics = computed(() => {
   const { value: metrics } = results.metrics;

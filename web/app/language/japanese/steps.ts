@@ -187,6 +187,7 @@ export const STEPS: MessageTable = {
   'Deviation of at most {deviation} %: {faces} faces': 'ずれ {deviation} % 以下: {faces} 面',
   'deviation {deviation} %': 'ずれ {deviation} %',
   'Collapse across texture seams': 'テクスチャのシームをまたいで縮約',
+  'stopped at {faces}': '{faces} 面で停止',
   'Stopped at {count} faces: {reason}.': '{count} 面で停止しました。{reason}。',
   ' Turn on “{control}” under More to go on.': '続けるには「詳細」の「{control}」をオンにしてください。',
   'Turn it on': 'オンにする',

@@ -2,16 +2,28 @@
 
 import { count, fixed } from '../../controls/numbers';
 import { NumberField } from '../../controls/number_field';
+import { faceCount } from '../../../engine/core/mesh';
 import { keyOf } from '../../../engine/stages/stage';
 import { STAGES } from '../../../engine/stages/stages';
 import { Toggle } from '../../controls/controls';
-import { isSharing, keepFaces, results, setOwnFaces, slider, wantedFaces, wants } from '../../state/store';
+import {
+  isLimited,
+  isSharing,
+  keepFaces,
+  results,
+  setOwnFaces,
+  shownMesh,
+  slider,
+  wantedFaces,
+  wants,
+} from '../../state/store';
 import './scrubber.css';
 import { say } from '../../language/say';
 
 export function Scrubber() {
   const { isReady, fewest, faces: total, wanted } = slider.value;
   const value = Math.min(total, Math.max(fewest, wanted));
+  const share = shownShare() ?? value / total;
   const set = (faces: number) => {
     if (Number.isFinite(faces)) keepFaces(Math.min(total, Math.max(1, Math.round(faces))));
   };
@@ -33,10 +45,17 @@ export function Scrubber() {
         {!isSharing.value && <Marks />}
       </div>
       <ExactFaces value={value} total={total} set={set} />
-      <span class="muted ratio">{total > 0 ? `${fixed((100 * value) / total, 1)} %` : ''}</span>
+      <span class="muted ratio">{total > 0 ? `${fixed(100 * share, 1)} %` : ''}</span>
       {(results.file.value?.bodies.length ?? 0) > 1 && <OwnFaces />}
     </div>
   );
+}
+
+/** The share of its faces that the shown mesh has; null until there is one, and where the slider is of several bodies. */
+function shownShare(): number | null {
+  const { value: body } = results.body;
+  const { value: shown } = shownMesh;
+  return body && shown && !isSharing.value ? faceCount(shown.mesh) / faceCount(body.mesh) : null;
 }
 
 /** Lets the shown body have a number of faces of its own. */
@@ -52,7 +71,14 @@ function OwnFaces() {
 
 function ExactFaces({ value, total, set }: { value: number; total: number; set(faces: number): void }) {
   return (
-    <NumberField aria-label={say('Kept faces, exact')} min={1} max={total} value={value} onEnter={set} />
+    <div class="exact">
+      <NumberField aria-label={say('Kept faces, exact')} min={1} max={total} value={value} onEnter={set} />
+      {isLimited.value && !isSharing.value && (
+        <span class="stopped">
+          {say('stopped at {faces}', { faces: count(faceCount(shownMesh.value!.mesh)) })}
+        </span>
+      )}
+    </div>
   );
 }
 

@@ -4,12 +4,13 @@ import { count, fixed } from '../../controls/numbers';
 import { describeRefused } from '../../../engine/report/stop_report';
 import type { Settings } from '../../../engine/settings/options';
 import type { FrequencyFinding, Tried } from '../../../engine/body/body_result';
-import { changeSettings, results, shownFit, shownMesh, wantedFaces } from '../../state/store';
+import { changeSettings, isLimited, results, shownFit, shownMesh, wantedFaces } from '../../state/store';
+import type { HistorySummary } from '../../worker/protocol';
 import { say, sayCounted, sentence } from '../../language/say';
 
 export const ACROSS_SEAMS = 'Collapse across texture seams';
 
-/** Says why more faces are left than asked for, and which request could not be met. */
+/** Says why more faces are left than asked for, by the limit that has ended it first, and which request could not be met. */
 export function StopReason() {
   const history = results.history.value;
   if (!history) return null;
@@ -19,26 +20,7 @@ export function StopReason() {
   return (
     <>
       {history.note !== '' && <p class="hint warning">{sentence(`${history.note}.`)}</p>}
-      {wantedFaces.value < history.floorFaces && (
-        <p class="hint warning">
-          {sayCounted(
-            history.floorFaces,
-            'Stopped at {count} face: {reason}.',
-            'Stopped at {count} faces: {reason}.',
-            {
-              reason: describeRefused(history.refused)
-                .split(/, (?=\d)/)
-                .map(sentence)
-                .join(', '),
-            },
-          )}
-          {history.blockedBySeams &&
-            say(' Turn on “{control}” under More to go on.', { control: say(ACROSS_SEAMS) })}
-        </p>
-      )}
-      {wantedFaces.value < history.floorFaces && history.blockedBySeams && (
-        <Cure text="Turn it on" change={{ seams: 'cross' }} />
-      )}
+      {wantedFaces.value < history.floorFaces && !isLimited.value && <FloorReason history={history} />}
       {guard && (
         <p class="hint warning">
           {sayCounted(
@@ -53,6 +35,29 @@ export function StopReason() {
       {frequency && (
         <p class={frequency.isBinding ? 'hint warning' : 'hint'}>{describeFrequency(frequency, shown)}</p>
       )}
+    </>
+  );
+}
+
+/** Why the history itself goes no farther. */
+function FloorReason({ history }: { history: HistorySummary }) {
+  const reason = describeRefused(history.refused)
+    .split(/, (?=\d)/)
+    .map(sentence)
+    .join(', ');
+  return (
+    <>
+      <p class="hint warning">
+        {sayCounted(
+          history.floorFaces,
+          'Stopped at {count} face: {reason}.',
+          'Stopped at {count} faces: {reason}.',
+          { reason },
+        )}
+        {history.blockedBySeams &&
+          say(' Turn on “{control}” under More to go on.', { control: say(ACROSS_SEAMS) })}
+      </p>
+      {history.blockedBySeams && <Cure text="Turn it on" change={{ seams: 'cross' }} />}
     </>
   );
 }
