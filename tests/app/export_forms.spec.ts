@@ -65,6 +65,15 @@ test('every format and compression is saved as the command line writes it', asyn
   await expect(page.getByLabel('Compression')).toHaveCount(0);
 });
 
+test('the button that saves is in view as soon as the panel is open, also on a phone', async ({ page }) => {
+  await openExport(page);
+  await expect(button(page, 'Save .glb')).toBeInViewport({ ratio: 1 });
+  await page.setViewportSize({ width: 390, height: 844 });
+  await button(page, 'Close the export panel').click();
+  await button(page, 'Export').click();
+  await expect(button(page, 'Save .glb')).toBeInViewport({ ratio: 1 });
+});
+
 test('the result can be dragged out of the page', async ({ page }) => {
   await openExport(page);
   await expect(page.locator('.drag-out')).toHaveAttribute('draggable', 'true');

@@ -12,7 +12,8 @@ import { results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { say } from '../../language/say';
 
-export function Actions({ exported }: { exported: ExportResult | null }) {
+/** What the panel is opened for. */
+export function SaveButtons({ exported }: { exported: ExportResult | null }) {
   const { output, binding } = exportRequest();
   const { lods, solver } = wants.settings.value;
   const { ending, type } = exportFormatOf(wants.settings.value);
@@ -47,7 +48,15 @@ export function Actions({ exported }: { exported: ExportResult | null }) {
           {say('Save settings')}
         </button>
       )}
-      <SaveReport exported={exported} output={output} />
+    </div>
+  );
+}
+
+/** What says how the result was made. */
+export function Records({ exported }: { exported: ExportResult | null }) {
+  return (
+    <div class="actions">
+      <SaveReport exported={exported} output={exportRequest().output} />
       {exported && <CommandLine exported={exported} />}
     </div>
   );

@@ -9,7 +9,7 @@ import { Section } from '../../controls/controls';
 import { useHeadingFocus } from '../../controls/heading_focus';
 import { count, fileSize } from '../../controls/numbers';
 import { QueueSection } from '../queue/queue_section';
-import { Actions } from './actions';
+import { Records, SaveButtons } from './actions';
 import { DragOut } from './drag_out';
 import { FormSection } from './form_section';
 import { LevelsSection } from './levels_section';
@@ -49,6 +49,7 @@ export function ExportPanel() {
       <QueueSection />
       <Section title={exportRequest().output}>
         <p>{describeFile(exported)}</p>
+        <SaveButtons exported={exported} />
         <DragOut exported={exported} />
         <FormSection />
       </Section>
@@ -57,7 +58,7 @@ export function ExportPanel() {
       <SolverSection report={exported?.report ?? null} />
       <LeftOut dropped={exported?.lost ?? file.dropped} isKnown={exported !== null} />
       {exported && <Verdict exported={exported} />}
-      <Actions exported={exported} />
+      <Records exported={exported} />
     </aside>
   );
 }
