@@ -15,7 +15,7 @@ test('the cloth opens as cotton that hangs by its corners, with what else was se
   checkSettings(settings);
   expect(settings).toMatchObject({
     ...MATERIALS.cotton,
-    scenario: 'sway',
+    scenario: 'hang',
     solver: 'none',
     qualityWeight: 0.3,
   });

@@ -62,9 +62,6 @@ export const usedTuning = computed<TunedBody | null>(() => {
   return found.key === wantedKey(STAGES.tuned) ? found.tuned : null;
 });
 
-/** Whether that tuning has masses but no factors, as in the trial of the motion the user's own stiffness was nearer to the original. */
-export const keepsOwnStiffness = computed(() => usedTuning.value?.tuned.motion?.kept === 'untouched');
-
 /** What the shown body can move as without a solver of the panel. */
 export const ownModel = computed<OwnModel>(() => {
   const { value: body } = results.body;

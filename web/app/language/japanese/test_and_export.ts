@@ -126,8 +126,12 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Optimized mesh': '最適化後のメッシュ',
   'Tuning ...': '調整しています...',
   'It could not be tuned: shown as it is.': '調整できなかったため、そのまま表示しています。',
-  "A trial of the motion came closer with the original's stiffness: the masses alone are tuned.":
-    '動きを試したところ元の剛性のほうが近かったため、質量だけを調整しています。',
+  'how it sways': '揺れ方',
+  'how it hangs': '吊り下がり方',
+  'A trial of {tried} came closer tuned. Other motions may differ.':
+    '{tried}を試したところ、調整したほうが元に近くなりました。ほかの動きでは異なることがあります。',
+  "A trial of {tried} came closer with the original's stiffness: the masses alone are tuned. Other motions may differ.":
+    '{tried}を試したところ元の剛性のほうが近かったため、質量だけを調整しています。ほかの動きでは異なることがあります。',
   'raise the substeps (now {substeps}) or take a softer material, then reset.':
     'サブステップ (現在 {substeps}) を増やすか、柔らかい材料を選んでからリセットしてください。',
   'Both meshes have diverged at {time} s: {cure}': '両方のメッシュが {time} 秒で発散しました。{cure}',

@@ -6,7 +6,8 @@ import type { SolverName } from '../../../engine/solvers/profiles';
 import { OPTIONS as SETTINGS } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, status, wants } from '../../state/store';
-import { keepsOwnStiffness, ownModel, twin, usedTuning } from '../../state/twin';
+import { ownModel, twin, usedTuning } from '../../state/twin';
+import { describeTrial } from './trial_text';
 import { UnknownSolver } from './unknown_solver';
 import { Choice, Select } from '../../controls/controls';
 import { say, sentence } from '../../language/say';
@@ -109,6 +110,13 @@ function titleOf(solver: SolverName): string {
   return say('Both bodies are {words}, solved here by XPBD.', { words: sentence(words) }) + known;
 }
 
+/** What speaks for the numbers that are used. */
+function Trial() {
+  const motion = usedTuning.value?.tuned.motion;
+  const text = motion ? describeTrial(motion) : '';
+  return text === '' ? null : <p class="hint">{text}</p>;
+}
+
 /** What the engine needs, and the way to it. */
 function TakeAlong() {
   const { solver } = wants.settings.value;
@@ -151,13 +159,7 @@ function Tuning() {
           {status.working.value ? say('Tuning ...') : say('It could not be tuned: shown as it is.')}
         </p>
       )}
-      {keepsOwnStiffness.value && (
-        <p class="hint">
-          {say(
-            "A trial of the motion came closer with the original's stiffness: the masses alone are tuned.",
-          )}
-        </p>
-      )}
+      <Trial />
       <TakeAlong />
     </>
   );

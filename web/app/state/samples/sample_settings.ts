@@ -9,7 +9,7 @@ import type { Wanted } from '../link';
 const CORNERS = 'vertices:0,1,33,31,32,65';
 
 const BROUGHT: Readonly<Record<string, Partial<Settings>>> = {
-  'cloth.glb': { ...MATERIALS.cotton, pins: CORNERS, scenario: 'sway' },
+  'cloth.glb': { ...MATERIALS.cotton, pins: CORNERS, scenario: 'hang' },
   // A twist turns its spire alone.
   'tower.glb': { scenario: 'sway' },
 };

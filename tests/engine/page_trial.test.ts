@@ -1,0 +1,19 @@
+/** What the Test step says of the trial of a tuned motion. */
+
+import { expect, it, vi } from 'vitest';
+import { describeTrial } from '../../web/app/panels/simulate/trial_text';
+
+vi.hoisted(() => vi.stubGlobal('navigator', { languages: ['en'] }));
+
+const motion = { scene: 'hang', untouched: 2, tuned: 1, noiseFloor: 0, kept: 'tuned' } as const;
+
+it('the motion that was tried is named, whichever numbers it spoke for', () => {
+  expect(describeTrial(motion)).toBe('A trial of how it hangs came closer tuned. Other motions may differ.');
+  expect(describeTrial({ ...motion, scene: 'sway and hang', tuned: 3, kept: 'untouched' })).toBe(
+    "A trial of how it sways and how it hangs came closer with the original's stiffness: the masses alone are tuned. Other motions may differ.",
+  );
+});
+
+it('nothing is said where the trial was no closer than without tuning', () => {
+  expect(describeTrial({ ...motion, tuned: 2 })).toBe('');
+});

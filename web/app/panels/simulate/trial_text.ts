@@ -1,0 +1,20 @@
+/** What a short trial of the motion has said for or against the tuned numbers. */
+
+import type { TunedMotion } from '../../../engine/core/core';
+import { listed, say } from '../../language/say';
+
+/** By the scenes that are tried, see web/engine/core/interface/tune.ts. */
+const TRIED: Record<string, string> = { sway: 'how it sways', hang: 'how it hangs' };
+
+/** A sentence that names the motions that were tried, as the scenario that is shown may be another; '' where both were equally close. */
+export function describeTrial({ scene, kept, tuned, untouched }: TunedMotion): string {
+  const tried = listed(scene.split(' and ').map((name) => say(TRIED[name] ?? name)));
+  if (kept === 'untouched')
+    return say(
+      "A trial of {tried} came closer with the original's stiffness: the masses alone are tuned. Other motions may differ.",
+      { tried },
+    );
+  return tuned < untouched
+    ? say('A trial of {tried} came closer tuned. Other motions may differ.', { tried })
+    : '';
+}
