@@ -439,6 +439,15 @@ test('the step works with the keyboard alone', async ({ page }) => {
   await untilTime(page, 0.1);
 });
 
+test('what is held in place is not said to fall onto a ball', async ({ page }) => {
+  await openTest(page);
+  await scenario(page).selectOption('drape');
+  await expect(page.getByText('Falls onto a ball.')).toBeVisible();
+  await page.getByLabel('Held in place').selectOption('corners');
+  await expect(page.getByText('Falls as far as what is held in place lets it.')).toBeVisible();
+  await expect(page.getByText('Falls onto a ball.')).toHaveCount(0);
+});
+
 test('a narrow screen shows the step in one column', { tag: '@full' }, async ({ browser, baseURL }) => {
   const context = await browser.newContext({
     baseURL,
