@@ -4,14 +4,14 @@ import { expose } from 'comlink';
 import { beforeEach, expect, it, vi } from 'vitest';
 import { drawnNoise } from '../../web/app/panels/simulate/simulate_axes';
 import { checkConvergence, convergenceCheck } from '../../web/app/state/convergence';
-import { reset, simulationKey } from '../../web/app/state/simulation';
+import { reset, simulationKey, startSimulations } from '../../web/app/state/simulation';
 import { changeSettings, results, status, view, wantedKey, wants } from '../../web/app/state/store';
 import { twin } from '../../web/app/state/twin';
 import { STAGES } from '../../web/engine/stages/stages';
 
 vi.hoisted(() => {
   vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} }));
-  vi.stubGlobal('document', { hidden: false, baseURI: 'http://localhost/' });
+  vi.stubGlobal('document', { hidden: false, baseURI: 'http://localhost/', addEventListener: () => {} });
   vi.stubGlobal('navigator', {});
 });
 
@@ -108,4 +108,15 @@ it('the noise floor that is told is that of the drawn curve, also where the last
   expect(drawnNoise([sample(0, 0.2), sample(1, 0.3), sample(2, null)])).toBe(0.3);
   // The chart has left it behind.
   expect(drawnNoise([sample(0, 0.2), sample(11, null)])).toBeNull();
+});
+
+it('the last frame keeps the scale of its colours while another result is made', () => {
+  startSimulations();
+  twin.frame.value = twin.numbers.value = { bodies: { original: { stepSeconds: 0 } } } as never;
+  twin.worst.value = 4;
+  status.isComputing.value = true;
+  results.fitted.value = null;
+  expect([simulationKey.value, twin.numbers.value, twin.worst.value]).toEqual([null, null, 4]);
+  expect(twin.frame.value).not.toBeNull();
+  status.isComputing.value = false;
 });

@@ -110,7 +110,7 @@ function closeWorker(): void {
   clearFrames();
 }
 
-/** Invalidates the running simulation: its last frame stays on screen, its numbers do not. */
+/** Invalidates the running simulation: its last frame stays on screen with the scale of its colours, its numbers do not. */
 function invalidate(): void {
   startNumber += 1;
   twin.numbers.value = null;
@@ -119,13 +119,13 @@ function invalidate(): void {
 
 function clearSamples(): void {
   twin.samples.value = recorded = [];
-  twin.worst.value = 0;
 }
 
 /** Removes the frames of the last simulation. */
 function clearFrames(): void {
   startNumber += 1;
   twin.frame.value = twin.numbers.value = null;
+  twin.worst.value = 0;
   clearSamples();
 }
 
