@@ -429,6 +429,8 @@ test('the step works with the keyboard alone', async ({ page }) => {
   await expect(button(page, 'Overlaid')).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('d');
   await expect(page.getByLabel('Original driven by optimized')).toBeChecked();
+  const drawn = page.locator('.pane-labels > span').filter({ hasText: 'Original, carried by the optimized' });
+  await expect(drawn).toContainText('1,792 faces');
   await page.keyboard.press('2');
   await expect(button(page, 'Deviation')).toHaveAttribute('aria-pressed', 'true');
   await scenario(page).focus();

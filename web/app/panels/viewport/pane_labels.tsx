@@ -38,7 +38,7 @@ function TwinLabels() {
       <span>
         {isOverlaid.value && <span class="swatch" style={{ background: viewportColours.value.overlay }} />}
         {isDriven.value ? say('Original, carried by the optimized') : say('Optimized')}{' '}
-        <span class="muted">{faceCount('optimized')}</span>
+        <span class="muted">{faceCount(isDriven.value ? 'original' : 'optimized')}</span>
       </span>
     </div>
   );
