@@ -4,7 +4,7 @@ import { beforeEach, expect, it, vi } from 'vitest';
 import { shortTime } from '../../web/app/controls/numbers';
 import { describeSpeedUp, speedUp } from '../../web/app/panels/simulate/speed_up';
 import { changeSettings, results, view, wantedKey } from '../../web/app/state/store';
-import { haveLattice, keepsOwnStiffness, twin } from '../../web/app/state/twin';
+import { haveLattice, twin, usedTuning } from '../../web/app/state/twin';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { STAGES } from '../../web/engine/stages/stages';
 import { cube } from './support/shapes';
@@ -55,16 +55,16 @@ it('bodies have an inside as solids of the program alone', () => {
   expect(haveLattice.value).toBe(false);
 });
 
-it('a tuning says where the trial of the motion has kept the stiffness, as long as it is used', () => {
+it('the trial of a tuned motion is that of the tuning that is used', () => {
   const found = (motion: object | null) => {
     results.tuned.value = { key: wantedKey(STAGES.tuned), tuned: { tuned: { motion } } } as never;
-    return keepsOwnStiffness.value;
+    return usedTuning.value?.tuned.motion;
   };
   view.step.value = 'test';
   changeSettings({ solver: 'jolt' });
   twin.wantsTuned.value = true;
-  expect([{ kept: 'untouched' }, { kept: 'tuned' }, null].map(found)).toEqual([true, false, false]);
+  expect([{ kept: 'untouched' }, null].map(found)).toEqual([{ kept: 'untouched' }, null]);
   found({ kept: 'untouched' });
   twin.wantsTuned.value = false;
-  expect(keepsOwnStiffness.value).toBe(false);
+  expect(usedTuning.value).toBe(null);
 });
