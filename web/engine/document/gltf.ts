@@ -27,6 +27,7 @@ import { describeFailure } from './checks/reading_failure';
 import { checkEncoding } from './checks/text_encoding';
 import { firstProblem } from './validate';
 import { storedIn, withKnownNames } from './write/compression';
+import { markEndless } from './write/endless_cameras';
 
 /**
  * Opens `file` with its companions among `files`; it may have no body. Images that are not there stay references. Throws an
@@ -51,6 +52,7 @@ export async function openGltf(
   const size = sizeOf(file.bytes.length, jsonDocument);
   const document = await readDocument(file, jsonDocument, size);
   requireFormats(document);
+  markEndless(document, json);
   const { bodies, notes } = bodiesOfDocument(file.name, document, mostCorners(size));
   return {
     name: file.name,

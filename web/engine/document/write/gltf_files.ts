@@ -8,6 +8,7 @@ import { glbParts, withJson } from '../glb';
 import { createGltfWriter, INDICES_MODE, MESHOPT, RATIFIED_MESHOPT, TRIANGLES_MODE } from '../gltf_io';
 import type { SourceFile } from '../model';
 import { renameExtension } from './compression';
+import { leaveOutEndless } from './endless_cameras';
 import { sortImages } from './image_order';
 import type { LevelNodes } from './level_nodes';
 import { addLevels } from './level_nodes';
@@ -53,8 +54,8 @@ export async function writeGlb(document: Document, additions: Additions): Promis
       json.images![i].bufferView = json.images![textures.indexOf(firsts.get(texture)!)].bufferView;
     else if (!texture.getImage()) nameMissing(json.images![i], texture);
   });
-  const isRenamed = putTargetNames(json);
-  const isChanged = isRenamed || textures.some((texture) => !texture.getImage()) || hasAdditions(additions);
+  const isMended = [putTargetNames(json), leaveOutEndless(document, json)].includes(true);
+  const isChanged = isMended || textures.some((texture) => !texture.getImage()) || hasAdditions(additions);
   return isChanged ? withJson(bytes, withAdditions(json, additions)) : bytes;
 }
 
@@ -84,6 +85,7 @@ export async function writeGltf(
     else nameMissing(image, texture);
   });
   putTargetNames(written.json);
+  leaveOutEndless(document, written.json);
   const json = withAdditions(written.json, additions);
   const text = new TextEncoder().encode(JSON.stringify(json));
   const companions = Object.entries(written.resources).map(([own, bytes]) => ({ name: own, bytes }));

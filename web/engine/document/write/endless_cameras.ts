@@ -1,0 +1,26 @@
+/** Perspective cameras without a far plane: the reader gives them one at 100, and the writer writes what it is given. */
+
+import type { Document, GLTF } from '@gltf-transform/core';
+
+/** Gives cameras of which the file names no far plane one that is infinitely far, which copies of the document keep. */
+export function markEndless(document: Document, { cameras = [] }: GLTF.IGLTF): void {
+  const read = document.getRoot().listCameras();
+  cameras.forEach(({ perspective }, i) => {
+    if (perspective && perspective.zfar === undefined) read[i].setZFar(Infinity);
+  });
+}
+
+/**
+ * Takes infinite far planes, for which JSON has no number, out of the JSON that was written for the document. Returns whether there was
+ * any.
+ */
+export function leaveOutEndless(document: Document, json: GLTF.IGLTF): boolean {
+  const areEndless = document
+    .getRoot()
+    .listCameras()
+    .map((camera) => camera.getZFar() === Infinity);
+  areEndless.forEach((isEndless, i) => {
+    if (isEndless) delete json.cameras![i].perspective?.zfar;
+  });
+  return areEndless.includes(true);
+}
