@@ -2,7 +2,7 @@
 
 import type { Document } from '@gltf-transform/core';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { EXTMeshGPUInstancing } from '@gltf-transform/extensions';
+import { EXTMeshGPUInstancing, KHRTextureTransform } from '@gltf-transform/extensions';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -126,6 +126,38 @@ describe('a written OBJ', () => {
     expect(mesh.getWeights()).toEqual([1, 0]);
   });
 
+  it('has the UVs that the picture of the colour is on, and so does a PLY; the others are said to be lost', () => {
+    const document = startDocument();
+    const textured = document.createMaterial('painted').setBaseColorTexture(document.createTexture('paint'));
+    textured.setNormalTexture(document.createTexture('bumps'));
+    const sheet = primitiveOf(document, grid(1, 1)).setMaterial(textured);
+    for (const set of [0, 1, 2])
+      sheet.setAttribute(
+        `TEXCOORD_${set}`,
+        floats(
+          document,
+          'VEC2',
+          [0, 0, 1, 0, 0, 1, 1, 1].map((value) => value / 2 ** set),
+        ),
+      );
+    addMesh(document, 'sheet', [sheet]);
+    const info = textured.getBaseColorTextureInfo()!.setTexCoord(1);
+    const lost = (...names: number[]) =>
+      `further sets of UVs (${names.map((name) => `TEXCOORD_${name}`).join(', ')})`;
+    expect(written(document)).toContain('vt 0.5 0.5\n');
+    expect(lostIn('obj', { document })).toContain(lost(0, 2));
+    const ply = new DataView(writePly(document, 'a.ply', 'Limber 1').bytes.slice(-2 * 13 - 20).buffer);
+    expect([ply.getFloat32(12, true), ply.getFloat32(16, true)]).toEqual([0.5, 0.5]);
+    const transform = document.createExtension(KHRTextureTransform).createTransform();
+    info.setExtension('KHR_texture_transform', transform.setTexCoord(2));
+    expect(written(document)).toContain('vt 0.25 0.75\n');
+    expect(lostIn('ply', { document })).toContain(lost(0, 1));
+    textured.setBaseColorTexture(null).getNormalTextureInfo()!.setTexCoord(1);
+    expect(written(document)).toContain('vt 0.5 0.5\n');
+    textured.setEmissiveTexture(document.createTexture('glow')).getEmissiveTextureInfo()!.setTexCoord(7);
+    expect(written(document)).toContain('vt 1 0\n');
+  });
+
   it('gives a mesh without material none after one that has one', () => {
     const document = startDocument();
     const red = primitiveOf(document, grid(1, 1)).setMaterial(document.createMaterial('red'));
@@ -145,10 +177,10 @@ describe('what a format leaves out', () => {
       full.setAttribute(name, floats(document, 'VEC2', [0, 0, 1, 0, 0, 1, 1, 1]));
     addMesh(document, 'A', [full]);
     addMesh(document, 'B', [primitiveOf(document, grid(1, 1))]);
-    expect(lostIn('obj', { document })).toEqual(['further sets of UVs', 'attribute _WEIGHT']);
+    expect(lostIn('obj', { document })).toEqual(['further sets of UVs (TEXCOORD_1)', 'attribute _WEIGHT']);
     expect(lostIn('ply', { document })).toEqual([
       'UVs, which not all of its meshes have',
-      'further sets of UVs',
+      'further sets of UVs (TEXCOORD_1)',
       'attribute _WEIGHT',
     ]);
     expect(lostIn('glb', { document })).toEqual([]);

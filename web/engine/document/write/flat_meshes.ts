@@ -6,6 +6,7 @@ import { influenceSets } from '../influences';
 import { product } from '../../core/affine';
 import { worldMatricesOf } from '../placements';
 import { posed } from './default_pose';
+import { uvSetOf } from './uv_set';
 
 /** The triangles of one primitive at one place. Vertices are numbered as in the primitive. */
 export interface FlatPrimitive {
@@ -13,7 +14,7 @@ export interface FlatPrimitive {
   positions: Float32Array;
   /** normals[3 * v + c], of length 1; null: it has none */
   normals: Float32Array | null;
-  /** uvs[2 * v + c] from the upper left corner of the picture; null: it has none */
+  /** uvs[2 * v + c] of the set that its material shows, from the upper left corner of the picture; null: it has none */
   uvs: Float32Array | null;
   /** colours[3 * v + c], linear in [0, 1]; null: it has none */
   colours: Float32Array | null;
@@ -80,7 +81,7 @@ function flatten(primitive: Primitive, node: Node, world: Matrix): FlatPrimitive
   const normal = posed(primitive, node, 'NORMAL');
   const normals = normal && transformed(normal, (v) => cofactors(matrixAt(v)), 0);
   if (normals) makeUnit(normals);
-  const uvs = primitive.getAttribute('TEXCOORD_0');
+  const uvs = primitive.getAttribute(uvSetOf(primitive));
   const colours = primitive.getAttribute('COLOR_0');
   const isMirrored = determinant(matrixAt(0)) < 0;
   return {

@@ -7,6 +7,7 @@ import type { WrittenFormat } from '../../core/output_words';
 import type { OpenModel } from '../model';
 import { INSTANCING } from '../placements';
 import { shownNodes } from './flat_meshes';
+import { uvSetOf, uvSetsOf } from './uv_set';
 
 /** glTF's primitive mode. */
 const TRIANGLES = 4;
@@ -60,30 +61,42 @@ function lostAttributes(format: WrittenFormat, root: Root): string[] {
   const ofMeshes = root.listMeshes().map((mesh) => mesh.listPrimitives().filter(hasTriangles));
   const primitives = ofMeshes.flat();
   const names = new Set(primitives.flatMap((primitive) => primitive.listSemantics()));
-  const further = (kind: string) => [...names].some((name) => name.startsWith(kind) && !name.endsWith('_0'));
+  const hasFurtherColours = [...names].some((name) => name.startsWith('COLOR_') && !name.endsWith('_0'));
   const lists = format === 'ply' ? [primitives] : ofMeshes;
-  const isPartial = (name: string) => lists.some((list) => isOfSome(list, name));
+  const isPartial = (nameOf: NameOf) => lists.some((list) => isOfSome(list, nameOf));
   const one = (isLost: boolean, words: string) => (isLost ? [words] : []);
   return [
-    ...one(format === 'ply' && isPartial('NORMAL'), 'normals, which not all of its meshes have'),
-    ...one(format === 'ply' && isPartial('TEXCOORD_0'), 'UVs, which not all of its meshes have'),
+    ...one(format === 'ply' && isPartial(() => 'NORMAL'), 'normals, which not all of its meshes have'),
+    ...one(format === 'ply' && isPartial(uvSetOf), 'UVs, which not all of its meshes have'),
     ...one(
-      isPartial('COLOR_0'),
+      isPartial(() => 'COLOR_0'),
       `vertex colours, which not all ${format === 'ply' ? 'of its meshes' : 'parts of a mesh'} have`,
     ),
     ...one(format === 'obj' && primitives.some(hasOpacity), 'opacity of vertex colours'),
     ...one(names.has('TANGENT'), 'tangents'),
-    ...one(further('TEXCOORD_'), 'further sets of UVs'),
-    ...one(further('COLOR_'), 'further sets of vertex colours'),
+    ...lostUvs(primitives),
+    ...one(hasFurtherColours, 'further sets of vertex colours'),
     ...[...names].filter((name) => name.startsWith('_')).map((name) => `attribute ${name}`),
   ];
 }
 
 const hasTriangles = (primitive: Primitive): boolean => (primitive.getMode() as number) >= TRIANGLES;
 
+/** The sets of UVs besides the written one of each primitive. */
+function lostUvs(primitives: Primitive[]): string[] {
+  const lost = primitives.flatMap((primitive) => {
+    const written = uvSetOf(primitive);
+    return uvSetsOf(primitive).filter((name) => name !== written);
+  });
+  return lost.length > 0 ? [`further sets of UVs (${[...new Set(lost)].sort().join(', ')})`] : [];
+}
+
+/** The name of an attribute of a primitive. */
+type NameOf = (primitive: Primitive) => string;
+
 /** Whether some have the attribute, and not all. */
-function isOfSome(primitives: Primitive[], name: string): boolean {
-  const having = primitives.filter((primitive) => primitive.getAttribute(name) !== null).length;
+function isOfSome(primitives: Primitive[], nameOf: NameOf): boolean {
+  const having = primitives.filter((primitive) => primitive.getAttribute(nameOf(primitive)) !== null).length;
   return having > 0 && having < primitives.length;
 }
 
