@@ -1,10 +1,22 @@
-import { describe, expect, it } from 'vitest';
+import { afterAll, describe, expect, it } from 'vitest';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { parseArguments } from '../../web/cli/arguments';
+import type { Arguments } from '../../web/cli/arguments';
 import { engineOfText } from '../../web/cli/engine_file';
 import { settingsFile, writeSettings } from '../../web/engine/report/settings_file';
 import { MATERIALS } from '../../web/engine/settings/materials';
 import { tunedBody } from './support/tuned_sheet';
 
 const SILK = MATERIALS.silk;
+const folder = mkdtempSync(join(tmpdir(), 'limber-engine-'));
+afterAll(() => rmSync(folder, { recursive: true }));
+
+const sheet = () => ({
+  ...{ name: 'sheet', level: 0, renderVertices: [0, 1, 2, 3] },
+  tuned: tunedBody('jolt'),
+});
 
 describe("a file of an engine's parameters", () => {
   it('is an object of numbers, or lines of name=value with comments', () => {
@@ -17,20 +29,37 @@ describe("a file of an engine's parameters", () => {
   });
 
   it('is a settings file, of which it takes what the original had, not what was tuned', () => {
-    const body = { name: 'sheet', level: 0, renderVertices: [0, 1, 2, 3], tuned: tunedBody('jolt') };
-    const settings = settingsFile([body], { ...SILK, bendRatio: 0.05 });
+    const settings = settingsFile([sheet()], { ...SILK, bendRatio: 0.05, engine: 'mCompliance=1e-5' });
     const { original, engine } = settings;
     const { text, material } = engineOfText('s.json', writeSettings(settings));
     expect(material).toEqual({ ...SILK, bendRatio: 0.05 });
-    expect(text).toBe(
-      Object.keys(engine)
-        .map((name) => `${name}=${original[name]}`)
-        .join(','),
-    );
+    expect(text).toBe(`compliance=${original.compliance}`);
     expect(original.compliance).not.toBe(engine.compliance);
     expect(() => engineOfText('s.json', JSON.stringify({ ...settings, bodies: [] }))).toThrow(
       's.json is not a limber-settings/1: write it again with limber optimize --settings.',
     );
+  });
+
+  it('is a settings file without a record of what was given, of which it takes all parameters', () => {
+    const { given, ...earlier } = settingsFile([sheet()], { ...SILK, bendRatio: 0.05, engine: '' });
+    const { original, engine } = earlier;
+    expect(given).toEqual([]);
+    expect(engineOfText('s.json', JSON.stringify(earlier)).text).toBe(
+      Object.keys(engine)
+        .map((name) => `${name}=${original[name]}`)
+        .join(','),
+    );
+  });
+
+  it('leaves to a material beside it what followed from its own', () => {
+    const settings = { ...SILK, bendRatio: 0.05, engine: 'compliance=1e-5' };
+    const file = join(folder, 's.json');
+    writeFileSync(file, writeSettings(settingsFile([sheet()], settings)));
+    const words = ['tune', 'a.obj', 'b.obj', '--solver', 'jolt', '--settings', 'o.json', '--engine', file];
+    const settingsOf = (...more: string[]) => (parseArguments([...words, ...more]) as Arguments).settings;
+    expect(settingsOf()).toMatchObject({ ...SILK, engine: expect.stringMatching(/^compliance=[^,]+$/) });
+    expect(settingsOf('--material-preset', 'rubber')).toMatchObject(MATERIALS.rubber);
+    expect(settingsOf('--density', '7')).toMatchObject({ ...SILK, density: 7 });
   });
 
   it('says what is not a number, and where', () => {

@@ -85,6 +85,10 @@ describe('a damaged settings file', () => {
     ],
     [damaged((_, file) => (file.units.length = 0)), 'has a unit that is no length'],
     [damaged((_, file) => delete (file.material as { young?: number }).young), 'has a damaged material'],
+    [
+      damaged((_, file) => (file.given = ['compliance'])),
+      'has given parameters that its solver does not have',
+    ],
     [damaged((body) => (body.unit = -1)), 'has a unit that is no length for "sheet"'],
     [
       damaged((body) => Object.assign(body.original, { faces: '32' })),
@@ -116,8 +120,9 @@ describe('a damaged settings file', () => {
 });
 
 describe('parameters to tune the same model with again', () => {
-  it("are the original's, without those in which its bodies differ, which were defaults of each mesh", () => {
-    const file = fileOf(tunedBody('jolt'));
+  it('are those that were given, or all but those in which bodies differ where the file does not say so', () => {
+    const { given, ...file } = fileOf(tunedBody('jolt'));
+    expect(given).toEqual([]);
     const all = originalParameters(file);
     expect(Object.keys(all)).toEqual(Object.keys(file.engine));
     expect(all.compliance).toBe(file.original.compliance);
@@ -127,6 +132,8 @@ describe('parameters to tune the same model with again', () => {
     expect(Object.keys(originalParameters({ ...file, bodies: [body, smaller] }))).toEqual(others);
     const further = { ...smaller, level: 1 };
     expect(originalParameters({ ...file, bodies: [body, further] })).toEqual(all);
+    const { compliance } = file.original;
+    expect(originalParameters({ ...file, given: ['compliance'] })).toEqual({ compliance });
   });
 });
 

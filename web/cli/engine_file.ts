@@ -1,4 +1,4 @@
-/** The user's own parameters of an engine from a file: a JSON object, lines of name=value, or a settings file's original. */
+/** The user's own parameters of an engine from a file: a JSON object, lines of name=value, or what a settings file's original was given. */
 
 import { existsSync } from 'node:fs';
 import { basename } from 'node:path';

@@ -77,6 +77,7 @@ export const SETTINGS_FILE = {
   tune: 'global',
   units: { length: 1 },
   material: { young: 1e6, poisson: 0.3, density: 1100, thickness: 2, bendRatio: 0.05 },
+  given: ['young'],
   bodies: [
     {
       ...{ name: 'a', level: 0, unit: 1 },

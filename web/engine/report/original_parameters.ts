@@ -8,15 +8,16 @@ import { firstLevel } from './settings_file';
 import type { SettingsFile } from './settings_file';
 
 /**
- * Parameters by their names in the engine. One in which bodies differ was a default, which follows from each body's own mesh and
- * the material of the file: it is left out, so that each has its own again.
+ * The parameters that were given, by their names in the engine: the others follow from each body's own mesh and the material of the
+ * file again. Of a file that does not say which these are, all in which bodies do not differ, since one in which they do followed.
  */
-export function originalParameters({ bodies }: SettingsFile): NativeValues {
+export function originalParameters({ bodies, given }: SettingsFile): NativeValues {
   const first = firstLevel(bodies);
   const { engine, original } = first[0];
   const isShared = (name: string): boolean =>
     name in engine && first.every((body) => body.original[name] === original[name]);
-  return Object.fromEntries(Object.entries(original).filter(([name]) => isShared(name)));
+  const isGiven = (name: string): boolean => given?.includes(name) ?? isShared(name);
+  return Object.fromEntries(Object.entries(original).filter(([name]) => isGiven(name)));
 }
 
 /** The material of the file, each number within what its setting takes; nothing of files that lack it. */

@@ -5,6 +5,8 @@ import type { MassRule, TunedFrequencies, TunedMotion, TuneKind } from '../core/
 import { VERSION } from '../core/version';
 import type { ExportedSettings } from '../document/export';
 import type { OwnSpace } from '../document/model';
+import { engineValues } from '../settings/engine_text';
+import type { Settings } from '../settings/options';
 import { totalMass, valueOfRole } from '../solvers/profile';
 import type { NativeValues, Role } from '../solvers/profile';
 import { profileOf } from '../solvers/profiles';
@@ -81,6 +83,8 @@ export interface SettingsFile {
   original: OriginalSettings;
   /** as set; `thickness` in % of each body's diagonal. Files of the first versions lack it */
   material?: EngineMaterial;
+  /** names of the parameters of `original` that the user gave; the others followed. Files of the first versions lack it */
+  given?: string[];
   bodies: BodySettings[];
   /** of the first level, the body whose frequencies are off most */
   frequencies: Partial<TunedFrequencies>;
@@ -98,7 +102,10 @@ export interface SettledBody {
 }
 
 /** The content of the file; `bodies` are those of the first level, then those of the others. At least one. */
-export function settingsFile(bodies: SettledBody[], settings: EngineMaterial): SettingsFile {
+export function settingsFile(
+  bodies: SettledBody[],
+  settings: EngineMaterial & Pick<Settings, 'engine'>,
+): SettingsFile {
   const { young, poisson, density, thickness, bendRatio } = settings;
   const { solver, tune } = bodies[0].tuned;
   const entries = bodies.map(bodySettings);
@@ -114,6 +121,7 @@ export function settingsFile(bodies: SettledBody[], settings: EngineMaterial): S
     engine,
     original,
     material: { young, poisson, density, thickness, bendRatio },
+    given: Object.keys(engineValues(solver, settings.engine)),
     bodies: entries,
     frequencies: shortened(knownErrors(worst.tuned.frequencies)),
     ...motionOf(worst),

@@ -2,7 +2,8 @@
 
 import { ENGINE_MATERIAL } from '../body/material';
 import { OPTIONS } from '../settings/table';
-import { SOLVER_NAMES } from '../solvers/profiles';
+import { profileOf, SOLVER_NAMES } from '../solvers/profiles';
+import type { SolverName } from '../solvers/profiles';
 import { SETTINGS_SCHEMA } from './settings_file';
 import type { BodySettings, SettingsFile } from './settings_file';
 
@@ -29,6 +30,12 @@ const hasNumbers = (value: unknown, names: readonly string[]): boolean =>
   value !== null &&
   isNumbers(Object.values(value)) &&
   names.every((name) => Object.hasOwn(value, name));
+
+/** Files of the first versions do not say what was given. */
+const namesParameters = (names: unknown, solver: SolverName): boolean =>
+  names === undefined ||
+  (Array.isArray(names) &&
+    names.every((name) => profileOf(solver).parameters.some((parameter) => parameter.name === name)));
 
 const ORIGINAL_NUMBERS = ['vertices', 'faces', 'totalMass', 'stretch', 'bend'];
 
@@ -94,6 +101,8 @@ export function readSettingsFile(name: string, text: string): SettingsFile {
     return fail('has a unit that is no length');
   if (file.material !== undefined && !hasNumbers(file.material, ENGINE_MATERIAL))
     return fail('has a damaged material');
+  if (!namesParameters(file.given, file.solver as SolverName))
+    return fail('has given parameters that its solver does not have');
   for (const body of file.bodies as BodySettings[]) {
     const problem = problemOf(body);
     if (problem)
