@@ -14,7 +14,7 @@ const folder = mkdtempSync(join(tmpdir(), 'limber-engine-'));
 afterAll(() => rmSync(folder, { recursive: true }));
 
 const sheet = () => ({
-  ...{ name: 'sheet', level: 0, renderVertices: [0, 1, 2, 3] },
+  ...{ name: 'sheet', level: 0, meshNumber: 0, renderVertices: [0, 1, 2, 3] },
   tuned: tunedBody('jolt'),
 });
 

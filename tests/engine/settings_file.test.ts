@@ -13,7 +13,7 @@ import { tunedBody, TUNED_SHEET as mesh } from './support/tuned_sheet';
 
 const fileOf = (tuned: TunedBody): SettingsFile =>
   settingsFile(
-    [{ name: 'sheet', level: 0, renderVertices: [0, 1, 2, 2, 1, 3, -1], tuned }],
+    [{ name: 'sheet', level: 0, meshNumber: 0, renderVertices: [0, 1, 2, 2, 1, 3, -1], tuned }],
     defaultSettings(),
   );
 
@@ -89,6 +89,7 @@ describe('a damaged settings file', () => {
       damaged((_, file) => (file.given = ['compliance'])),
       'has given parameters that its solver does not have',
     ],
+    [damaged((body) => (body.meshNumber = 0.5)), 'has a mesh number that is no count for "sheet"'],
     [damaged((body) => (body.unit = -1)), 'has a unit that is no length for "sheet"'],
     [
       damaged((body) => Object.assign(body.original, { faces: '32' })),

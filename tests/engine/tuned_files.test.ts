@@ -51,6 +51,14 @@ function wave(n: number): TriangleMesh {
   return mesh;
 }
 
+/** An OBJ of two bent sheets, a coarser one beside the first. */
+function twoWaves(): string {
+  const [first, second] = [wave(12), wave(8)];
+  const positions = second.positions.map((x) => x + 5);
+  const triangles = second.triangles.map((v) => v + first.positions.length / 3);
+  return `o first\n${toObj(first)}o second\n${toObj({ positions, triangles })}`;
+}
+
 /** A torus that no rotation takes to itself, so that its modes come one by one. */
 function unevenTorus(): TriangleMesh {
   const mesh = torus();
@@ -193,7 +201,28 @@ describe('further levels', () => {
     const [mesh] = (await readGlb(bytes('lods_lod2.glb'))).getRoot().listMeshes();
     const { limberSettings } = mesh.getExtras() as { limberSettings: Partial<BodySettings> };
     expect(limberSettings.engine).toEqual(bodies[2].engine);
+    expect(bodies.map(({ meshNumber }) => meshNumber)).toEqual([0, 0, 0]);
   });
+
+  it.each(['nodes', 'msft'])(
+    'inside one file as %s are found by the numbers of their meshes',
+    async (style) => {
+      writeFileSync(path('two.obj'), twoWaves());
+      const flags = ['--ratio', '0.6', '--lods', '0.4,0.25', '--lod-style', style, '--solver', 'jolt'];
+      expect(await run('optimize', 'two.obj', 'in.glb', ...flags, '--settings', 'in.json')).toBe(0);
+      const { bodies } = settingsIn('in.json');
+      const meshes = (await readGlb(bytes('in.glb'))).getRoot().listMeshes();
+      const numbers = bodies.map(({ meshNumber }) => meshNumber!);
+      expect(numbers.toSorted((a, b) => a - b)).toEqual([...meshes.keys()]);
+      bodies.forEach(({ name, level, engine, renderVertices }, i) => {
+        const mesh = meshes[numbers[i]];
+        expect(mesh.getName()).toBe(level === 0 ? name : `${name}_LOD${level}`);
+        expect((mesh.getExtras().limberSettings as BodySettings).engine).toEqual(engine);
+        const [primitive] = mesh.listPrimitives();
+        expect(primitive.getAttribute('POSITION')!.getCount()).toBe(renderVertices.length);
+      });
+    },
+  );
 });
 
 describe('a map of factors', () => {

@@ -80,7 +80,7 @@ export const SETTINGS_FILE = {
   given: ['young'],
   bodies: [
     {
-      ...{ name: 'a', level: 0, unit: 1 },
+      ...{ name: 'a', level: 0, meshNumber: 0, unit: 1 },
       engine: { young: 1e6 },
       original: { vertices: 9, faces: 8, totalMass: 4, stretch: 1, bend: 1, young: 1e6 },
       mesh: { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0], triangles: [0, 1, 2, 2, 1, 3] },

@@ -41,6 +41,8 @@ export interface BodySettings extends RoleValues {
   name: string;
   /** 0, or the number of the further level */
   level: number;
+  /** the number of the mesh in the glTF file, of a further level that of its own file or in the first; files of the first versions lack it */
+  meshNumber?: number;
   /** metres per unit of the mesh */
   unit: number;
   mesh: { positions: number[]; triangles: number[] };
@@ -95,6 +97,8 @@ export interface SettingsFile {
 export interface SettledBody {
   name: string;
   level: number;
+  /** see BodySettings */
+  meshNumber: number;
   renderVertices: number[];
   tuned: TunedBody;
   /** of a mesh that was tuned in the space of another: its own, as in its file */
@@ -143,12 +147,13 @@ const tunedError = ({ tuned }: TunedBody): number =>
 const motionOf = ({ tuned: { motion } }: TunedBody): { motion?: TunedMotion } =>
   motion ? { motion: shortened(motion) } : {};
 
-export function bodySettings({ name, level, renderVertices, tuned: body, own }: SettledBody): BodySettings {
+export function bodySettings(settled: SettledBody): BodySettings {
+  const { name, level, meshNumber, renderVertices, tuned: body, own } = settled;
   const { tuned, result } = body;
   const { positions, scale } = own ?? { positions: body.mesh.positions, scale: 1 };
   const hasMaps = tuned.stretchField.length > 0;
   return {
-    ...{ name, level, unit: scale * result.constants.unit },
+    ...{ name, level, meshNumber, unit: scale * result.constants.unit },
     mesh: { positions: list(positions), triangles: [...body.mesh.triangles] },
     renderVertices,
     mass: { rule: body.massRule, original: body.model.mass, perVertex: list(tuned.masses) },

@@ -1,6 +1,7 @@
 /** Reads a settings file and checks it, so that what works with it need not. */
 
 import { ENGINE_MATERIAL } from '../body/material';
+import { isCount } from '../core/count';
 import { OPTIONS } from '../settings/table';
 import { profileOf, SOLVER_NAMES } from '../solvers/profiles';
 import type { SolverName } from '../solvers/profiles';
@@ -40,6 +41,8 @@ const namesParameters = (names: unknown, solver: SolverName): boolean =>
 const ORIGINAL_NUMBERS = ['vertices', 'faces', 'totalMass', 'stretch', 'bend'];
 
 const CHECKS: readonly Check[] = [
+  ({ meshNumber }) =>
+    meshNumber === undefined || isCount(meshNumber) ? null : 'a mesh number that is no count',
   ({ unit }) => (isPositiveNumber(unit) ? null : 'a unit that is no length'),
   ({ engine, original }) =>
     hasNumbers(engine, []) && hasNumbers(original, ORIGINAL_NUMBERS)

@@ -7,7 +7,7 @@ import type { MeshAt } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
 import { renderVertices } from '../document/export';
 import type { SourceFile } from '../document/model';
-import { exportFiles } from '../document/write/export_files';
+import { exportFiles, furtherMesh } from '../document/write/export_files';
 import type { ExportedLevels } from '../document/write/export_files';
 import { outputForm } from '../document/write/output_form';
 import type { OutputForm, OutputManner } from '../document/write/output_form';
@@ -151,10 +151,15 @@ export class FileOutput {
       const tuned = run.get(STAGES.tunedLevels, settings)!;
       return [first, ...others.map((exported, n) => ({ exported, tuned: tuned[n] }))];
     });
+    const isInside = !this.hasLevelFiles;
     const bodies = levels[0].flatMap((_, level) =>
-      levels.map((own) => ({
+      levels.map((own, replaced) => ({
         name: own[level].exported.body.name,
         level,
+        meshNumber:
+          isInside && level > 0
+            ? furtherMesh(model, { levels: own.length - 1, replaced, level })
+            : own[level].exported.body.mesh,
         renderVertices: renderVertices(model, own[level].exported),
         tuned: own[level].tuned,
       })),

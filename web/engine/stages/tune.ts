@@ -112,9 +112,10 @@ export function pinnedOfResult(pinned: PinnedVertices, { inputOfVertex }: MeshAt
 
 /** A coarse mesh that was tuned, for the settings file: in the space of its own file. */
 export function settledBody(coarse: PreparedBody, tuned: TunedBody): SettledBody {
-  const { name, own } = coarse.body;
+  const { name, mesh: meshNumber, own } = coarse.body;
   const space = own && { positions: positionsInFile(coarse), scale: own.scale };
-  return { name, level: 0, renderVertices: weldedVerticesInFile(coarse), tuned, own: space };
+  const renderVertices = weldedVerticesInFile(coarse);
+  return { name, level: 0, meshNumber, renderVertices, tuned, own: space };
 }
 
 /** What `work` returns; where it throws a sentence about one of several bodies, its name leads it. */

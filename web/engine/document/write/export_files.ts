@@ -142,6 +142,15 @@ function copiesOf(
   return { further, levels };
 }
 
+/**
+ * The number in the file of the mesh of further level `level`, from 1, of the body that is replaced as number `replaced`, where each
+ * has `levels` further ones.
+ */
+export const furtherMesh = (
+  { document }: OpenModel,
+  { levels, replaced, level }: { levels: number; replaced: number; level: number },
+): number => document.getRoot().listMeshes().length + levels * replaced + level - 1;
+
 function copyMesh(mesh: Mesh): Mesh {
   const copy = mesh.clone();
   for (const primitive of mesh.listPrimitives())
