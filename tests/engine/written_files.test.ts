@@ -1,8 +1,18 @@
 /** What is written as OBJ and ZIP, what a file leaves out, and files of the user beside those of limber. */
 
-import type { Document } from '@gltf-transform/core';
+import type { Document, Extension } from '@gltf-transform/core';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { EXTMeshGPUInstancing, KHRTextureTransform } from '@gltf-transform/extensions';
+import {
+  EXTMeshGPUInstancing,
+  EXTMeshoptCompression,
+  EXTTextureAVIF,
+  EXTTextureWebP,
+  KHRDracoMeshCompression,
+  KHRLightsPunctual,
+  KHRMeshQuantization,
+  KHRTextureBasisu,
+  KHRTextureTransform,
+} from '@gltf-transform/extensions';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -207,6 +217,24 @@ describe('what a format leaves out', () => {
     document.getRoot().listMeshes()[0].addPrimitive(sheet());
     expect(lostIn('obj', { document })).toContain('vertex colours, which not all parts of a mesh have');
     expect(lostIn('glb', { document })).toEqual([]);
+  });
+
+  it('is no extension of how numbers and pictures are stored', () => {
+    const document = startDocument();
+    const stored = [
+      EXTMeshoptCompression,
+      EXTTextureAVIF,
+      EXTTextureWebP,
+      KHRDracoMeshCompression,
+      KHRMeshQuantization,
+      KHRTextureBasisu,
+    ];
+    for (const extension of stored) document.createExtension<Extension>(extension);
+    addMesh(document, 'A', [primitiveOf(document, grid(1, 1))]);
+    expect(lostIn('obj', { document })).toEqual([]);
+    expect(lostIn('ply', { document })).toEqual([]);
+    document.createExtension(KHRLightsPunctual);
+    expect(lostIn('obj', { document })).toEqual(['extension KHR_lights_punctual']);
   });
 
   it('names meshes of other scenes and of none', () => {

@@ -1,16 +1,32 @@
 /** What formats without a scene cannot hold of a document, in plain words. */
 
 import type { Material, Node, Primitive, Root, Scene } from '@gltf-transform/core';
-import { KHRTextureTransform } from '@gltf-transform/extensions';
+import {
+  EXTTextureAVIF,
+  EXTTextureWebP,
+  KHRMeshQuantization,
+  KHRTextureBasisu,
+  KHRTextureTransform,
+} from '@gltf-transform/extensions';
 import { counted, excerpt } from '../../core/words';
 import type { WrittenFormat } from '../../core/output_words';
 import type { OpenModel } from '../model';
+import { DRACO, MESHOPT } from '../gltf_io';
 import { INSTANCING } from '../placements';
 import { shownNodes } from './flat_meshes';
 import { uvSetOf, uvSetsOf } from './uv_set';
 
 /** glTF's primitive mode. */
 const TRIANGLES = 4;
+
+/** Extensions of how numbers and pictures are stored, not of what a scene shows: these are written otherwise, or named themselves. */
+const STORING: readonly string[] = [
+  DRACO,
+  MESHOPT,
+  ...[EXTTextureAVIF, EXTTextureWebP, KHRMeshQuantization, KHRTextureBasisu].map(
+    ({ EXTENSION_NAME }) => EXTENSION_NAME,
+  ),
+];
 
 /** What a file of this format leaves out of a model; empty for GLB and glTF. An OBJ of an OBJ has the same material libraries. */
 export function lostIn(
@@ -24,7 +40,7 @@ export function lostIn(
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length));
   const keepsMaterials = format === 'obj' && libraries.length > 0;
   const materials = keepsMaterials ? [] : root.listMaterials();
-  const carried = [INSTANCING, ...(keepsMaterials ? [KHRTextureTransform.EXTENSION_NAME] : [])];
+  const carried = [...STORING, INSTANCING, ...(keepsMaterials ? [KHRTextureTransform.EXTENSION_NAME] : [])];
   const count = (length: number, one: string, many?: string) =>
     length > 0 ? [counted(length, one, many)] : [];
   const nodes = new Set(shownNodes(document));
