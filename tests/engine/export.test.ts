@@ -1,4 +1,5 @@
 import { EXTMeshFeatures, KHRDracoMeshCompression, KHRMaterialsVariants } from '@gltf-transform/extensions';
+import { WebIO } from '@gltf-transform/core';
 import type { Document, Mesh } from '@gltf-transform/core';
 import { describe, expect, it } from 'vitest';
 import type { TriangleMesh } from '../../web/engine/core/core';
@@ -241,6 +242,32 @@ describe('an exported GLB', () => {
     ).not.toBeNull();
     const [extension] = document.getRoot().listExtensionsUsed() as KHRMaterialsVariants[];
     expect(extension.listVariants().map((variant) => variant.getName())).toEqual(['day', 'night']);
+  });
+
+  it('keeps the version that a file needs, extras of variants, and names and extras of their materials', async () => {
+    const source = startDocument();
+    source.getRoot().getAsset().minVersion = '2.0';
+    const variants = source.createExtension(KHRMaterialsVariants);
+    const day = variants.createVariant('day').setExtras({ light: 'sun' });
+    const mapping = variants
+      .createMapping()
+      .setName('at day')
+      .setExtras({ from: 6 })
+      .setMaterial(source.createMaterial('bright'))
+      .addVariant(day);
+    const primitive = primitiveOf(source, cube()).setMaterial(source.createMaterial('plain'));
+    primitive.setExtension('KHR_materials_variants', variants.createMappingList().addMapping(mapping));
+    addMesh(source, 'cube', [primitive]);
+    const model = await openModel([await glbFile(source)]);
+    const bytes = await exportGlb(model, [asResult(model.bodies[0])], { fields: false });
+    const { json } = await new WebIO().binaryToJSON(bytes as Uint8Array<ArrayBuffer>);
+    expect(json.asset.minVersion).toBe('2.0');
+    expect(json.extensions).toEqual({
+      KHR_materials_variants: { variants: [{ name: 'day', extras: { light: 'sun' } }] },
+    });
+    expect(json.meshes![0].primitives[0].extensions!.KHR_materials_variants).toEqual({
+      mappings: [{ name: 'at day', extras: { from: 6 }, material: 0, variants: [0] }],
+    });
   });
 
   it('has unit normals if the format prescribes none, split at sharp edges and shared where smooth', async () => {

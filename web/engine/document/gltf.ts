@@ -16,6 +16,7 @@ import {
   sizeOf,
 } from './checks/gltf_bounds';
 import { canBeCarried, foreignOf } from './extensions/foreign';
+import { addPassedOver } from './extensions/passed_over';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { describeFallbacks, requireFormats } from './checks/fallback_images';
 import { withoutImageless } from './checks/imageless';
@@ -183,6 +184,7 @@ async function readDocument(file: SourceFile, jsonDocument: JSONDocument, size: 
   let document: Document;
   try {
     document = await io.readJSON(jsonDocument);
+    addPassedOver(document, jsonDocument.json);
   } catch (error) {
     throw refuse((await firstProblem(jsonDocument.json)) ?? describeFailure(error).replace(/:.*/, ''));
   }
