@@ -21,6 +21,7 @@ import sys
 import tempfile
 
 import bpy
+import bmesh  # comes with bpy, which has to be first
 
 #: Attributes of glTF that start with an underscore are the user's own; limber interpolates them as it does UVs.
 GROUP = "_group_"
@@ -95,10 +96,26 @@ def _import(path, thing):
     # The importer turns objects where the file says so, and the mesh was exported in its own space.
     result.matrix_basis = thing.matrix_basis.copy()
     result.name = f"{thing.name}_limber"
+    _weld(result.data, flat=not any(face.use_smooth for face in thing.data.polygons))
     result.data.materials.clear()
     for material in thing.data.materials:
         result.data.materials.append(material)
     return result
+
+
+def _weld(mesh, flat):
+    """One vertex at each place. In glTF flat faces share none, and the importer joins those alone whose normals agree."""
+    normals = [tuple(normal.vector) for normal in mesh.corner_normals]
+    welded = bmesh.new()
+    welded.from_mesh(mesh)
+    bmesh.ops.remove_doubles(welded, verts=welded.verts, dist=0)
+    welded.to_mesh(mesh)
+    welded.free()
+    if flat:
+        mesh.shade_flat()
+        mesh.attributes.remove(mesh.attributes["custom_normal"])
+    elif len(mesh.loops) == len(normals):
+        mesh.normals_split_custom_set(normals)
 
 
 def _bring_groups(thing, result):

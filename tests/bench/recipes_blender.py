@@ -71,6 +71,31 @@ def check_object():
     ]
 
 
+def check_shading():
+    """A closed ball stays closed, and the corners of its faces keep the normals of the file."""
+    passed, found = [], []
+    weld = blender._weld
+    normals = lambda mesh: [normal.vector.copy() for normal in mesh.corner_normals]
+    blender._weld = lambda mesh, flat: found.append((normals(mesh), weld(mesh, flat), normals(mesh)))
+    smooth_above = {"flat": 2, "smooth": -2, "half of both": 0}
+    for shading, height in smooth_above.items():
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4)
+        ball = bpy.context.active_object
+        for face in ball.data.polygons:
+            face.use_smooth = face.center.z > height
+        mesh = blender.optimize(ball, "--ratio 0.3").data
+        faces, vertices = len(mesh.polygons), len(mesh.vertices)
+        passed.append(check(vertices == faces // 2 + 2, f"{shading}: a closed ball of {faces} faces has {vertices} vertices"))
+        before, _, after = found.pop()
+        change = max((a - b).length for a, b in zip(before, after, strict=True))
+        passed.append(check(change < 0.001, f"{shading}: normals of corners are within {change:.1e} of those of the file"))
+        is_flat = all(face.normal.dot(after[corner]) > 0.9999 for face in mesh.polygons for corner in face.loop_indices)
+        passed.append(check(is_flat == (shading == "flat"), f"{shading}: all faces are {'flat' if is_flat else 'not flat'}"))
+    blender._weld = weld
+    return passed
+
+
 def check_files():
     passed = []
     for ending in (".fbx", ".usdc", ".abc"):
@@ -91,4 +116,4 @@ def check_files():
 
 
 if __name__ == "__main__":
-    sys.exit(0 if all(check_object() + check_files()) else 1)
+    sys.exit(0 if all(check_object() + check_shading() + check_files()) else 1)
