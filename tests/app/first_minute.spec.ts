@@ -26,6 +26,18 @@ test('the page begins with a place to drop a file, and samples that move', async
   await expect(page.getByText('Your file stays on this computer.')).toHaveCount(0);
 });
 
+test('a sample that is opened by keyboard leaves the focus at the step, and its hint at the panel', async ({
+  page,
+}) => {
+  await page.goto('/');
+  await expect(page.locator('.viewport canvas')).toHaveAttribute('tabindex', '-1');
+  await card(page, 'Bar').press('Enter');
+  await expect(page.getByRole('button', { name: 'Model' }).and(page.locator('[aria-current]'))).toBeFocused();
+  await expect(page.locator('.viewport canvas')).toHaveAttribute('tabindex', '0');
+  await page.getByRole('button', { name: 'Got it' }).press('Enter');
+  await expect(page.getByRole('complementary', { name: 'Settings of this step' })).toBeFocused();
+});
+
 test('drawing is prepared behind the start screen, and nothing of that is seen', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'light' });
   const light = page.waitForResponse(/room_light/);

@@ -44,6 +44,12 @@ function dismiss(...steps: Step[]): void {
   }
 }
 
+/** The panel takes the focus of the button that goes away. */
+function leave(event: Event, ...steps: Step[]): void {
+  (event.currentTarget as HTMLElement).closest('aside')?.focus({ preventScroll: true });
+  dismiss(...steps);
+}
+
 const hintOf = (step: Step): string =>
   (matchMedia('(pointer: coarse)').matches && TOUCH_HINTS[step]) || HINTS[step];
 
@@ -57,10 +63,10 @@ export function FirstHint() {
         {say(hintOf(step))}
       </p>
       <div class="buttons">
-        <button type="button" onClick={() => dismiss(step)}>
+        <button type="button" onClick={(event) => leave(event, step)}>
           {say('Got it')}
         </button>
-        <button type="button" class="quiet" onClick={() => dismiss(...STEPS)}>
+        <button type="button" class="quiet" onClick={(event) => leave(event, ...STEPS)}>
           {say('No hints')}
         </button>
       </div>

@@ -12,9 +12,10 @@ import './start_screen.css';
 import { say, sayCounted } from '../../language/say';
 
 export function StartScreen() {
+  const noteFocus = useHandover();
   if (status.busy.value) return null;
   return (
-    <div class="start">
+    <div class="start" onFocusCapture={noteFocus}>
       <div class="start-drop">
         <LanguageChoice />
         <h2>{say('Fewer triangles that still move right')}</h2>
@@ -34,6 +35,19 @@ export function StartScreen() {
       {samples.value.length > 0 && <Cards />}
     </div>
   );
+}
+
+/** Gives the focus to the current step where what had it goes away with this screen; returns what notes that something has it. */
+function useHandover(): () => void {
+  const hadFocus = useRef(false);
+  useEffect(() => () => void (hadFocus.current && requestAnimationFrame(focusStep)), []);
+  return () => (hadFocus.current = true);
+}
+
+function focusStep(): void {
+  // Whoever has gone on elsewhere stays there.
+  if (document.activeElement !== document.body) return;
+  document.querySelector<HTMLElement>('.steps [aria-current]')?.focus({ preventScroll: true });
 }
 
 function Cards() {

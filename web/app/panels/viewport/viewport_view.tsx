@@ -92,7 +92,13 @@ export function ViewportView() {
   for (const show of SHOWS) useSignalEffect(() => show(viewportHandle.current));
   return (
     <div class={isPicking.value || isBrushing.value ? 'viewport picking' : 'viewport'}>
-      <canvas ref={canvas} aria-label={describeViewport()} role="application" tabIndex={0} />
+      <canvas
+        ref={canvas}
+        aria-label={describeViewport()}
+        role="application"
+        tabIndex={results.file.value ? 0 : -1}
+        aria-hidden={results.file.value === null}
+      />
       {isPicking.value && <span class="middle-mark" aria-hidden="true" />}
       {hasFailed && (
         <p class="empty">
