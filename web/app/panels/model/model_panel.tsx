@@ -1,9 +1,10 @@
 /** Step 1: what the file contains and what state it is in. */
 
-import { results } from '../../state/store';
+import { changeSettings, results, wants } from '../../state/store';
 import { sizeAfter } from '../../state/export_request';
 import { Section, SettingRange } from '../../controls/controls';
 import { count, fileSize, fixed } from '../../controls/numbers';
+import { lengthWords, likelierUnit } from './length';
 import { SceneTree } from './scene_tree';
 import './model_panel.css';
 import { say, sayCounted, sentence } from '../../language/say';
@@ -30,6 +31,7 @@ export function ModelFacts() {
         <>
           <Section title="Mesh">
             <Facts />
+            <UnitQuestion />
           </Section>
           <Section title="Health">
             <Health />
@@ -71,14 +73,15 @@ function Contents() {
 }
 
 function Facts() {
-  const { inspection, diagonal, minAngle, meanMinAngle } = results.body.value!;
+  const { inspection, diagonal, scale, minAngle, meanMinAngle } = results.body.value!;
+  const units = say('{size} units', { size: Number(diagonal.toPrecision(4)) });
   const rows: [string, string][] = [
     ['Faces', count(inspection.faces)],
     ['Vertices', count(inspection.vertices)],
     ['Parts', count(inspection.components)],
     ['Open borders', count(inspection.boundaryLoops)],
     ['Handles', inspection.genus === null ? say('n/a') : count(inspection.genus)],
-    ['Diagonal', say('{size} units', { size: Number(diagonal.toPrecision(4)) })],
+    ['Diagonal', `${units} = ${lengthWords(diagonal * scale * wants.settings.value.unit)}`],
     ['Smallest angle', `${fixed(minAngle, 1)}°`],
     ['Mean of smallest', `${fixed(meanMinAngle, 1)}°`],
   ];
@@ -95,6 +98,21 @@ function FactList({ rows }: { rows: [string, string][] }) {
         </div>
       ))}
     </dl>
+  );
+}
+
+/** A file does not say its unit, and one in centimetres would be as heavy and slow as a house. */
+function UnitQuestion() {
+  const { diagonal, scale } = results.body.value!;
+  const likelier = likelierUnit(diagonal * scale, wants.settings.value.unit);
+  if (!likelier) return null;
+  const { unit, name } = likelier;
+  return (
+    <div class="buttons">
+      <button type="button" onClick={() => changeSettings({ unit })}>
+        {say('Is it in {unit}?', { unit: say(name) })}
+      </button>
+    </div>
   );
 }
 
