@@ -99,6 +99,8 @@ test('on a phone the picture has room in every step, and the marks of the slider
     // The only mark of the bar is at the left end.
     const mark = (await page.getByText('deviation 0.1 %').boundingBox())!;
     expect(mark.x).toBeGreaterThan(8);
+    for (const name of ['Faces', 'Deviation', 'Topology'])
+      await expect(readout(page, name).locator('strong')).toBeInViewport({ ratio: 1 });
   }
 });
 

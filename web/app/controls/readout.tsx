@@ -10,11 +10,17 @@ interface ReadoutProps {
   isBad?: boolean;
   /** of value and note together; 'named': as others, and the value may be cut in place of the note */
   width?: 'narrow' | 'wide' | 'wider' | 'widest' | 'named';
+  /** its place on a phone, from 0 on; the others follow */
+  place?: number;
 }
 
-export function Readout({ name, value, note, isBad, width }: ReadoutProps) {
+export function Readout({ name, value, note, isBad, width, place }: ReadoutProps) {
   return (
-    <div class={`${width ?? ''} ${isBad ? 'bad' : ''}`} title={`${value} ${note}`}>
+    <div
+      class={`${width ?? ''} ${isBad ? 'bad' : ''}`}
+      title={`${value} ${note}`}
+      style={place === undefined ? undefined : { '--place': place }}
+    >
       <dt>{say(name)}</dt>
       <dd>
         <strong>{value}</strong>

@@ -27,7 +27,7 @@ function NameReadout() {
   const chosen = wants.body.value;
   if (bodies.length === 1) return null;
   const which = say('{number} of {all}', { number: count(chosen + 1), all: count(bodies.length) });
-  return <Readout name="Mesh" value={bodies[chosen].name} note={which} width="named" />;
+  return <Readout name="Mesh" value={bodies[chosen].name} note={which} width="named" place={0} />;
 }
 
 function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
@@ -44,6 +44,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
           value={`${count(total)} → ${count(faces)}`}
           note={`${fixed(change, 1)} %`}
           width="wider"
+          place={1}
         />
         <Readout
           name="Smallest angle"
@@ -60,6 +61,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
           value={metrics ? `${fixed(metrics.hausdorff, 2)} %` : '...'}
           note={metrics ? say('mean {mean} %', { mean: fixed(metrics.mean, 3) }) : say('of the diagonal')}
           width="wide"
+          place={3}
         />
         <FrequencyReadout />
         <TopologyReadout />
@@ -84,7 +86,7 @@ function spokenResult(body: BodySummary, faces: number): string {
 
 function TopologyReadout() {
   const metrics = shownMetrics.value;
-  if (!metrics) return <Readout name="Topology" value="..." note="" width="widest" />;
+  if (!metrics) return <Readout name="Topology" value="..." note="" width="widest" place={2} />;
   const { certificate, inspection } = metrics;
   return (
     <Readout
@@ -93,6 +95,7 @@ function TopologyReadout() {
       note={describeTopology(inspection)}
       isBad={!certificate.kept}
       width="widest"
+      place={2}
     />
   );
 }
@@ -146,6 +149,7 @@ function OriginalReadouts() {
         value={count(inspection.faces)}
         note={sayCounted(inspection.vertices, '{count} vertex', '{count} vertices')}
         width="wider"
+        place={1}
       />
       <Readout name="Smallest angle" value={`${fixed(minAngle, 1)}°`} note="" />
       <Readout name="Mean of smallest" value={`${fixed(meanMinAngle, 1)}°`} note="" />
@@ -154,6 +158,7 @@ function OriginalReadouts() {
         value={inspection.nonManifoldEdges > 0 ? say('non-manifold') : say('manifold')}
         note={describeTopology(inspection)}
         width="widest"
+        place={2}
       />
     </dl>
   );

@@ -70,10 +70,10 @@ export const PAGE: MessageTable = {
     'ドラッグでモデルを回せます。モデルの一覧には、ファイルの内容と修復した箇所が表示されます。次は「モーション」です。',
   'These are the ways in which it bends most easily. Click the one that looks like the motion you expect.':
     '最も曲がりやすい動き方の一覧です。想定する動きに近いものをクリックしてください。',
-  'Drag the big slider below: faces leave first where motion does not show. Blink shows the original and the result in turn.':
-    '下の大きなスライダーを動かすと、動きに影響しない所から面が減ります。「切り替え」で元と結果を交互に表示します。',
-  'Drag the big slider below: faces leave first where motion does not show. Compare with V, blink with B.':
-    '下の大きなスライダーを動かすと、動きに影響しない所から面が減ります。V で比較、B で切り替え表示します。',
+  'Drag the big slider “Kept faces”: faces leave first where motion does not show. Blink shows the original and the result in turn.':
+    '大きなスライダー「残す面数」を動かすと、動きに影響しない所から面が減ります。「切り替え」で元と結果を交互に表示します。',
+  'Drag the big slider “Kept faces”: faces leave first where motion does not show. Compare with V, blink with B.':
+    '大きなスライダー「残す面数」を動かすと、動きに影響しない所から面が減ります。V で比較、B で切り替え表示します。',
   'Both meshes move under the same forces. Drag one to pull at it. Export is at the upper right.':
     '2 つのメッシュに同じ力が働きます。ドラッグして引っ張ってみてください。書き出しは右上にあります。',
   Help: 'ヘルプ',

@@ -25,15 +25,23 @@ export function SimulateReadouts() {
         value={frame ? `${fixed(frame.time, 2)} s` : '...'}
         note={describePace(frame)}
         width="wide"
+        place={0}
       />
       <Cost name="Original, per step" seconds={times.original} />
       <Cost name="Optimized, per step" seconds={times.optimized} />
-      <Readout name="Speed-up" value={speedUp(times)} note={describeSpeedUp(times)} width="narrow" />
+      <Readout
+        name="Speed-up"
+        value={speedUp(times)}
+        note={describeSpeedUp(times)}
+        width="narrow"
+        place={1}
+      />
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
         note={noise === null ? say('no noise floor') : say('noise {noise}', { noise: percent(noise) })}
         width="wide"
+        place={2}
       />
       <Readout
         name="Stretch"

@@ -12,13 +12,13 @@ const HINTS: Record<Step, string> = {
   motion:
     'These are the ways in which it bends most easily. Click the one that looks like the motion you expect.',
   reduce:
-    'Drag the big slider below: faces leave first where motion does not show. Compare with V, blink with B.',
+    'Drag the big slider “Kept faces”: faces leave first where motion does not show. Compare with V, blink with B.',
   test: 'Both meshes move under the same forces. Drag one to pull at it. Export is at the upper right.',
 };
 /** For fingers: there are no keys. */
 const TOUCH_HINTS: Partial<Record<Step, string>> = {
   reduce:
-    'Drag the big slider below: faces leave first where motion does not show. Blink shows the original and the result in turn.',
+    'Drag the big slider “Kept faces”: faces leave first where motion does not show. Blink shows the original and the result in turn.',
 };
 const STEPS = Object.keys(HINTS) as Step[];
 const STORE = 'limber-hints';
