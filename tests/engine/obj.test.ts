@@ -127,6 +127,7 @@ describe('OBJ', () => {
   it.each([
     ['v 0 0 zero\n', 'test.obj, line 1: z is "zero", not a number.'],
     ['v 0 0\n', 'test.obj, line 1: z is missing.'],
+    ['v 0 0', 'test.obj, line 1: z is missing and the file seems cut off: export it again.'],
     ['\nv 0 nan 0\n', 'test.obj, line 2: y is nan, not a finite number.'],
     ['v 0 -inf 0\n', 'test.obj, line 1: y is -inf, not a finite number.'],
     ['v 1e400 0 0\n', 'test.obj, line 1: x is 1e400, not a finite number.'],

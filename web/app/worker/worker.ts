@@ -117,7 +117,7 @@ const askedOf = (settings: Settings, { faces, own, ratio }: KeptFaces, fields: b
 /** Prepares all bodies, so that an unusable file never takes the place of the open one; `notes`: on bodies that are left out. */
 function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
   const onProgress = opened.bodies.length > 1 ? takeSpan : undefined;
-  const fresh = new FileRun(core, opened, { guides: true, onProgress });
+  const fresh = new FileRun(core, opened, { guides: true, onProgress, caller: 'page' });
   try {
     return { fresh, notes: fresh.prepare(defaultSettings()) };
   } catch (error) {

@@ -91,7 +91,7 @@ export class TextScanner {
 
   /** Reads a finite number, correctly rounded to a double. Throws an Error that calls it `what`. */
   number(what: string): number {
-    if (!this.seekWord()) this.fail(`${what} is missing`);
+    if (!this.seekWord()) this.failMissing(what);
     const start = this.at;
     const value = this.shortDecimal();
     return Number.isNaN(value) ? this.slowNumber(start, what) : value;
@@ -116,6 +116,11 @@ export class TextScanner {
     for (let digit; (digit = this.digit()) >= 0; ++this.at) value = 10 * value + digit;
     if (this.at === start) return NaN;
     return isNegative ? -value : value;
+  }
+
+  private failMissing(what: string): never {
+    if (this.peek() >= 0) this.fail(`${what} is missing`);
+    this.fail(`${what} is missing and the file seems cut off: export it again`);
   }
 
   fail(problem: string): never {

@@ -8,29 +8,45 @@ import type { Settings } from '../settings/options';
 /** Bytes of the core's memory for a face of the largest mesh, measured at a million faces: tests/bench/seconds.mjs prints them. */
 const BYTES_PER_FACE = { reduced: 430, fitted: 900 };
 
+/** How much memory the core may have, and who can give it more: the cures of errors are theirs. */
+export interface MemoryLimit {
+  heapLimit: number;
+  caller: Caller;
+}
+
+export type Caller = 'command line' | 'page';
+
 /** Throws an Error where a body has more faces than any method can work on within `heapLimit` bytes. */
-export function admitBodies(bodies: readonly Body[], heapLimit: number): void {
+export function admitBodies(bodies: readonly Body[], { heapLimit, caller }: MemoryLimit): void {
   for (const { name, indices } of bodies) {
     const faces = indices.length / 3;
     const needed = BYTES_PER_FACE.reduced * faces;
-    if (needed > heapLimit) throw refusal(name, { faces, needed, heapLimit, cure: CURES.reduced });
+    if (needed > heapLimit) throw refusal(name, { faces, needed, heapLimit, cure: CURES[caller].reduced });
   }
 }
 
 /** Throws an Error where a body in one part cannot be fitted to its surface within `heapLimit` bytes. */
-export function admitFit(bodies: readonly PreparedBody[], { fit }: Settings, heapLimit: number): void {
+export function admitFit(
+  bodies: readonly PreparedBody[],
+  { fit }: Settings,
+  { heapLimit, caller }: MemoryLimit,
+): void {
   if (fit === 'off') return;
   for (const { body, inspection } of bodies) {
     const needed = BYTES_PER_FACE.fitted * inspection.faces;
     if (inspection.components === 1 && needed > heapLimit)
-      throw refusal(body.name, { faces: inspection.faces, needed, heapLimit, cure: CURES.fitted });
+      throw refusal(body.name, { faces: inspection.faces, needed, heapLimit, cure: CURES[caller].fitted });
   }
 }
 
-const CURES = {
-  reduced: 'give it more (--memory, on the page ?memory=, at most 4G) or reduce the mesh in parts',
-  fitted:
-    'use --fit off on the command line, give it more (--memory, on the page ?memory=, at most 4G) or reduce the mesh in parts',
+const ON_PAGE = 'add ?memory=4G to the address, or reduce the mesh in parts';
+
+const CURES: Record<Caller, { reduced: string; fitted: string }> = {
+  'command line': {
+    reduced: 'give it more (--memory, at most 4G) or reduce the mesh in parts',
+    fitted: 'use --fit off, give it more (--memory, at most 4G) or reduce the mesh in parts',
+  },
+  page: { reduced: ON_PAGE, fitted: ON_PAGE },
 };
 
 interface MemoryShortage {

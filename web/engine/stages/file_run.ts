@@ -7,6 +7,7 @@ import type { Body } from '../document/model';
 import type { OpenModel } from '../document/open';
 import type { Settings } from '../settings/options';
 import { admitBodies, admitFit } from './admission';
+import type { Caller, MemoryLimit } from './admission';
 import { BodyRun } from './body_run';
 import { FileProgress } from './many_bodies/file_progress';
 import type { WorkSpan } from './many_bodies/file_progress';
@@ -28,6 +29,8 @@ export interface FileRunOptions {
   onProgress?: (span: WorkSpan | null) => void;
   /** called with the name of each stage that is about to be computed */
   onStage?: (stage: string) => void;
+  /** whose words errors have; absent: the command line's */
+  caller?: Caller;
 }
 
 /**
@@ -50,7 +53,7 @@ export class FileRun {
     this.guides = options.guides !== false;
     const isChosen = (i: number) => !chosen || chosen.has(i);
     const taking = bodies.filter((_, i) => isChosen(i));
-    admitBodies(taking, core.heapLimit);
+    admitBodies(taking, this.memoryLimit);
     const tooSmall = this.guides ? tooSmallToMove(document, taking) : new Set<Body>();
     const few = withFewFaces(taking);
     const cache = bodies.length > 1 ? new ValueCache(2 * bodies.length) : undefined;
@@ -86,8 +89,12 @@ export class FileRun {
    */
   prepare(settings: Settings): string[] {
     const unusable = this.leaveOutUnusable(settings);
-    if (this.guides) admitFit(this.prepared(settings), settings, this.core.heapLimit);
+    if (this.guides) admitFit(this.prepared(settings), settings, this.memoryLimit);
     return unusable;
+  }
+
+  private get memoryLimit(): MemoryLimit {
+    return { heapLimit: this.core.heapLimit, caller: this.options.caller ?? 'command line' };
   }
 
   private leaveOutUnusable(settings: Settings): string[] {

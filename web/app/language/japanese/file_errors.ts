@@ -116,6 +116,8 @@ export const FILE_ERRORS: MessageTable = {
     '面が頂点 {vertex} を参照していますが、それより前の頂点は {count} 個です',
   'the corner "{corner}" is not a vertex number': '角 "{corner}" は頂点の番号ではありません',
   '{what} is missing': '{what} がありません',
+  '{what} is missing and the file seems cut off: export it again':
+    '{what} がなく、ファイルが途中で切れているようです。もう一度書き出してください',
   '{what} is "{word}", not a number': '{what} が数値ではなく "{word}" です',
   // web/engine/document/zip
   '{name} has no file in it: pack the model with its files.':
@@ -127,6 +129,10 @@ export const FILE_ERRORS: MessageTable = {
   '{name} unpacks to more than 2 GB: split it into several files.':
     '{name} は展開すると 2 GB を超えます。複数のファイルに分けてください。',
   // web/engine/stages
+  '{name} has {faces}, for which the core takes about {needed} of memory, and it may have {limit}: {cure}.':
+    '{name} は{faces}あり、約 {needed} のメモリが必要ですが、使えるのは {limit} です。{cure}。',
+  'add ?memory=4G to the address, or reduce the mesh in parts':
+    'アドレスに ?memory=4G を付けるか、メッシュを分けて削減してください',
   'Body "{name}" has no usable face, {count} with a repeated vertex: repair it and export it again.':
     '物体 "{name}" に使える面がありません (頂点が重複する面 {count} 個)。修復して書き出し直してください。',
 };
