@@ -28,6 +28,8 @@ GROUP = "_group_"
 #: Of the cloth modifier, as limber's profile of Blender calls them.
 CLOTH = {"tension": "tension_stiffness", "bending": "bending_stiffness", "mass": "mass", "air": "air_damping"}
 CLOTH |= {"tension_damping": "tension_damping", "bending_damping": "bending_damping", "quality": "quality"}
+#: Of its collision settings, which are called alike.
+CONTACTS = ("distance_min", "self_distance_min", "friction")
 
 
 def optimize(thing, options=""):
@@ -134,7 +136,9 @@ def _bring_groups(thing, result):
 def _cloth_options(thing, cloth, path):
     """limber finds the parameters with which the result moves like the original with these, as large as it is in the scene."""
     values = {name: getattr(cloth.settings, property_) for name, property_ in CLOTH.items()}
-    words = ",".join(f"{name}={value:.9g}" for name, value in values.items())
+    values |= {name: getattr(cloth.collision_settings, name) for name in CONTACTS}
+    # Blender's numbers are floats: with more digits the largest that it takes would be beyond limber's limits.
+    words = ",".join(f"{name}={value:.7g}" for name, value in values.items())
     scale = sum(abs(axis) for axis in thing.matrix_world.to_scale()) / 3
     return ["--solver", "blender", "--engine", words, "--settings", path, "--unit", f"{scale:.9g}", *_pins(thing, cloth)]
 
@@ -149,16 +153,24 @@ def _pins(thing, cloth):
     return ["--pins", f"attribute:{GROUP.upper()}{group.index}"] if any(weight > 0.5 for weight in weights) else []
 
 
+def _copy_properties(source, target):
+    for property_ in source.bl_rna.properties:
+        if not property_.is_readonly and property_.identifier != "rest_shape_key":
+            setattr(target, property_.identifier, getattr(source, property_.identifier))
+
+
 def _bring_cloth(cloth, result, settings):
     """The modifier again, with all that it had, and the parameters that were found."""
     modifier = result.modifiers.new(cloth.name, "CLOTH")
-    for property_ in cloth.settings.bl_rna.properties:
-        if not property_.is_readonly and property_.identifier != "rest_shape_key":
-            setattr(modifier.settings, property_.identifier, getattr(cloth.settings, property_.identifier))
+    _copy_properties(cloth.settings, modifier.settings)
+    _copy_properties(cloth.settings.effector_weights, modifier.settings.effector_weights)
+    _copy_properties(cloth.collision_settings, modifier.collision_settings)
     engine = settings["bodies"][0]["engine"]
     for name, property_ in CLOTH.items():
         if name in engine and name != "quality":
             setattr(modifier.settings, property_, engine[name])
+    for name in CONTACTS:
+        setattr(modifier.collision_settings, name, engine[name])
     # limber takes compression as tension, and bending by angles.
     modifier.settings.compression_stiffness = modifier.settings.tension_stiffness
     modifier.settings.bending_model = "ANGULAR"

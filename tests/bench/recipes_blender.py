@@ -29,6 +29,10 @@ def cloth_sheet(cells=24):
     cloth = sheet.modifiers.new("Cloth", "CLOTH")
     cloth.settings.tension_stiffness, cloth.settings.mass = 20, 0.02
     cloth.settings.vertex_group_mass = "pins"
+    cloth.settings.effector_weights.gravity = 0.3
+    contacts = cloth.collision_settings
+    contacts.use_self_collision, contacts.collision_quality, contacts.friction = True, 5, 20
+    contacts.distance_min, contacts.self_distance_min = 0.01, 0.02
     bpy.context.view_layer.update()
     return sheet
 
@@ -49,7 +53,10 @@ def check_object():
     weight_error = max(abs(weights[v.index] - (v.co.x + 1) / 2) for v in mesh.vertices)
     uvs = mesh.uv_layers[0].data
     uv_error = max(abs(uvs[loop.index].uv.x - (mesh.vertices[loop.vertex_index].co.x + 1) / 2) for loop in mesh.loops)
-    cloth = result.modifiers["Cloth"].settings
+    modifier = result.modifiers["Cloth"]
+    cloth, contacts = modifier.settings, modifier.collision_settings
+    same = (contacts.use_self_collision, contacts.collision_quality, round(cloth.effector_weights.gravity, 6))
+    grown = contacts.distance_min / 0.01
     bpy.context.view_layer.update()
     offset = max(abs(a - b) for p, q in zip(result.matrix_world, sheet.matrix_world) for a, b in zip(p, q))
     faces = len(mesh.polygons)
@@ -57,6 +64,7 @@ def check_object():
     engine, positions = body["engine"], body["mesh"]["positions"]
     held = [positions[3 * pin] for pin in body["pins"]]
     values = [(engine[name], getattr(cloth, to)) for name, to in blender.CLOTH.items() if name in engine and name != "quality"]
+    values += [(engine[name], getattr(contacts, name)) for name in blender.CONTACTS]
     engine_error = max(abs(a - b) / max(1e-9, abs(a)) for a, b in values)
     return [
         check(0 < faces <= 0.4 * 2 * 24 * 24, f"{faces} faces of {2 * 24 * 24}"),
@@ -67,7 +75,10 @@ def check_object():
         check(cloth.mass > 0.02, f"the mass of a vertex grew from 0.02 to {cloth.mass:.4f}, as there are fewer"),
         check(abs(body["unit"] - 0.5) < 1e-6, f"a unit of the settings is {body['unit']} m"),
         check(held and min(held) > 0, f"{len(held)} vertices are tuned as held, where the group is above a half"),
-        check(engine_error < 1e-5, "tension, bending, mass and dampings are those of the settings file"),
+        check(engine_error < 1e-5, "tension, bending, mass, dampings, distances and friction are those of the settings file"),
+        check(same == (True, 5, 0.3), "self-collision, quality of collision and the weight of gravity came back"),
+        check(abs(contacts.friction - 20) < 1e-4, f"friction is {contacts.friction:.4g}, as it was"),
+        check(grown > 1.2 and abs(contacts.self_distance_min / 0.02 - grown) < 1e-3, f"distances grew with the edges, {grown:.2f} times"),
     ]
 
 
