@@ -26,7 +26,7 @@ export function joltSoftBody(Jolt, settings, { objectLayer = 0, index = 0, step 
   shared.Optimize();
   const creation = atOrigin(Jolt, shared, objectLayer);
   // An iteration is a substep with one pass of XPBD, so that fewer of them make the body softer. The file counts those of a step of
-  // 1/60 s.
+  // 1/60 s, and none where no number is enough, as where a triangle has no area: 20 are then a start, not a bound.
   creation.mNumIterations = Math.max(1, Math.ceil((body.substeps ?? 20) * 60 * step - 1e-6));
   creation.mLinearDamping = body.damping ?? 0;
   creation.mFriction = body.friction ?? creation.mFriction;

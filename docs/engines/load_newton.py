@@ -8,12 +8,13 @@
     builder.color(include_bending=True)
     model = builder.finalize()
     model.soft_contact_mu = bodies[0]["friction"]
+    substeps = max(body.get("substeps", 64) for body in bodies)
     iterations = max(int(body["engine"]["iterations"]) for body in bodies)
     solver = newton.solvers.SolverVBD(model, iterations=iterations, particle_enable_self_contact=False)
 
-Then, for a frame of 1/60 s, call solver.step `substeps` times with 1 / 60 / substeps s, where
-substeps = max(body["substeps"] for body in bodies): with longer steps VBD makes cloth far too soft. Friction and the distance of
-contact with itself are one number for the whole model. Bodies of the first level come first in the file.
+Then, for a frame of 1/60 s, call solver.step `substeps` times with 1 / 60 / substeps s: with longer steps VBD makes cloth far too
+soft. The file has none where no number is enough, as where a triangle has no area; 64 are then a start, not a bound. Friction and the
+distance of contact with itself are one number for the whole model. Bodies of the first level come first in the file.
 
 For contact with itself pass particle_enable_self_contact=True, particle_self_contact_margin=d and particle_self_contact_gap=d / 2,
 where d is body["selfCollisionDistance"], but well below the shortest edge: neighbours that are nearer push each other apart.
@@ -48,17 +49,23 @@ def add_newton_cloth(builder, settings, index=0):
     for v in body["pins"]:
         builder.particle_mass[first + v] = 0.0
         builder.particle_flags[first + v] &= ~int(newton.ParticleFlags.ACTIVE)
-    scale_triangles(builder, body, first_triangle)
+    scale_triangles(builder, body, first, first_triangle)
     scale_hinges(builder, body, first, first_edge)
     return first
 
 
-def scale_triangles(builder, body, first_triangle):
-    """Factors of single triangles, where the file has them (--tune constraint or vertex)."""
-    factors = factors_of(body, "stretch", np.array(body["mesh"]["triangles"]).reshape(-1, 3))
-    for t, factor in enumerate([] if factors is None else factors.tolist()):
-        ke, ka, *others = builder.tri_materials[first_triangle + t]
-        builder.tri_materials[first_triangle + t] = (ke * factor, ka * factor, *others)
+def scale_triangles(builder, body, first, first_triangle):
+    """Factors of single triangles, where the file has them (--tune constraint or vertex). The builder leaves out triangles without
+    area, so that the others are found by their vertices."""
+    triangles = np.array(body["mesh"]["triangles"]).reshape(-1, 3)
+    factors = factors_of(body, "stretch", triangles)
+    if factors is None:
+        return
+    factor = {tuple(sorted(three)): value for three, value in zip((triangles + first).tolist(), factors.tolist())}
+    for t in range(first_triangle, builder.tri_count):
+        ke, ka, *others = builder.tri_materials[t]
+        own = factor[tuple(sorted(int(v) for v in builder.tri_indices[t]))]
+        builder.tri_materials[t] = (ke * own, ka * own, *others)
 
 
 def scale_hinges(builder, body, first, first_edge):

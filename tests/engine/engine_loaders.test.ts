@@ -35,6 +35,8 @@ interface Settings {
   schema: string;
   solver: string;
   bodies: {
+    mesh: { positions: number[]; triangles: number[] };
+    stretch: { constant: number; pairs: number[]; factors?: number[] };
     bend: { constant: number; hinges: number[]; factors?: number[] };
     vertex?: { stretch: number[]; bend: number[] };
   }[];
@@ -131,6 +133,21 @@ describe('a flap in the engine, loaded from a settings file', () => {
       const engine = { tri_ke: 400, tri_ka: 300, edge_ke: 4, density: 1 };
       const settings = settingsOf('newton', engine, engine.edge_ke);
       settings.bodies[0].vertex = { stretch: [1, 1, 1, 1], bend: [1, 1, 1, 6] };
+      const found = flapIn(python.newton!, 'newton', settings);
+      expect(Math.abs(found / flapFrequency(engine.edge_ke * LENGTH) - 1.5)).toBeLessThan(0.015);
+    },
+    300_000,
+  );
+
+  it.skipIf(!python.newton)(
+    'takes factors in Newton beside a triangle without area, which its builder leaves out',
+    () => {
+      const engine = { tri_ke: 400, tri_ka: 300, edge_ke: 4, density: 1 };
+      const settings = settingsOf('newton', engine, engine.edge_ke);
+      const [body] = settings.bodies;
+      body.mesh.triangles.unshift(0, 0, 1);
+      body.stretch.factors = [9, 1, 1];
+      body.bend.factors = [2.25];
       const found = flapIn(python.newton!, 'newton', settings);
       expect(Math.abs(found / flapFrequency(engine.edge_ke * LENGTH) - 1.5)).toBeLessThan(0.015);
     },

@@ -9,7 +9,7 @@ import { describeTuning, solverReport } from '../../web/engine/report/solver_rep
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { SolverName } from '../../web/engine/solvers/profiles';
 import type { TunedBody } from '../../web/engine/solvers/tuned_body';
-import { tunedBody, TUNED_SHEET as mesh } from './support/tuned_sheet';
+import { tunedBody, TUNED_SHEET } from './support/tuned_sheet';
 
 const fileOf = (tuned: TunedBody): SettingsFile =>
   settingsFile(
@@ -32,8 +32,8 @@ describe('a settings file', () => {
     const { schema, solver, units, engine, bodies, motion } = fileOf(tunedBody('springs'));
     expect([schema, solver, units.length]).toEqual(['limber-settings/1', 'springs', 1]);
     const [body] = bodies;
-    expect(body.mesh.triangles).toEqual([...mesh.triangles]);
-    expect(body.mesh.positions.map(Math.fround)).toEqual([...mesh.positions]);
+    expect(body.mesh.triangles).toEqual([...TUNED_SHEET.triangles]);
+    expect(body.mesh.positions.map(Math.fround)).toEqual([...TUNED_SHEET.positions]);
     expect(body.stretch.pairs).toEqual([0, 1, 1, 2, 0, 2, 2, 3, 1, 3]);
     expect(body.bend.pairs).toEqual([0, 3]);
     expect(body.mass).toEqual({ rule: 'area', original: 'area', perVertex: [1, 2, 2, 0.333333333] });
@@ -172,6 +172,12 @@ describe('what a report says of them', () => {
     expect(springs!.frequencies.errorTuned).toBe(5);
     expect(describeTuning('springs', solverReport([flat]).fidelity.solvers.springs!)[0]).toMatch(
       /^in Springs this shape bends without resistance/,
+    );
+    const needle = { ...TUNED_SHEET, positions: Float32Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0) };
+    const withNeedle = solverReport([{ ...flat, mesh: needle }]).fidelity.solvers.springs!;
+    expect(withNeedle.frequencyStatus).toBe('noArea');
+    expect(describeTuning('springs', withNeedle)[0]).toMatch(
+      /^in Springs triangles without area leave this shape no modes, so there are no frequencies to tune/,
     );
     const lost = tunedBody('springs', { ...flat.tuned, frequencyStatus: 'noConvergence' });
     expect(describeTuning('springs', solverReport([lost]).fidelity.solvers.springs!)[0]).toMatch(

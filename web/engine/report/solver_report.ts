@@ -1,6 +1,7 @@
 /** How near a result moves to its original in a solver, untouched and tuned. */
 
 import type { Fidelity, FrequencyStatus, TunedFrequencies, TunedMotion } from '../core/core';
+import { hasFlatTriangles } from '../solvers/mesh_facts';
 import { profileOf } from '../solvers/profiles';
 import type { SolverName } from '../solvers/profiles';
 import type { TunedBody } from '../solvers/tuned_body';
@@ -10,7 +11,7 @@ import { knownErrors, worstTuned } from './settings_file';
 export interface SolverReport {
   frequencies: Partial<TunedFrequencies>;
   /** why there are no frequencies; absent where they were found */
-  frequencyStatus?: Exclude<FrequencyStatus, 'found'>;
+  frequencyStatus?: MissingFrequencies;
   /** absent where nothing was moved */
   motion?: TunedMotion;
   /** why nothing was moved, as a clause */
@@ -18,6 +19,9 @@ export interface SolverReport {
   /** the numbers to type in that the engine does not take, of all bodies; absent where there are none */
   outOfRange?: OutOfRange[];
 }
+
+/** `noArea`: triangles of the result have no area. */
+type MissingFrequencies = Exclude<FrequencyStatus, 'found'> | 'noArea';
 
 interface OutOfRange {
   name: string;
@@ -37,17 +41,26 @@ export function solverReport(bodies: TunedBody[]): {
   schema: 'limber-report/2';
   fidelity: { solvers: NonNullable<FidelityReport['solvers']> };
 } {
-  const { solver, tuned } = worstTuned(bodies);
-  const { frequencies, frequencyStatus, motion, motionRefusal } = tuned;
+  const worst = worstTuned(bodies);
+  const { solver, tuned } = worst;
+  const { frequencies, motion, motionRefusal } = tuned;
   const moved = { ...(motion && { motion }), ...(motionRefusal && { motionRefusal }) };
   const outside = outOfRange(bodies);
+  const missing = missingFrequencies(worst);
   const report = {
     frequencies: knownErrors(frequencies),
-    ...(frequencyStatus !== 'found' && { frequencyStatus }),
+    ...(missing && { frequencyStatus: missing }),
     ...moved,
     ...(outside.length > 0 && { outOfRange: outside }),
   };
   return { schema: 'limber-report/2', fidelity: { solvers: { [solver]: report } } };
+}
+
+/** undefined: there are frequencies. */
+function missingFrequencies({ mesh, tuned }: TunedBody): MissingFrequencies | undefined {
+  const { frequencyStatus } = tuned;
+  if (frequencyStatus === 'found') return undefined;
+  return frequencyStatus === 'noResistance' && hasFlatTriangles(mesh) ? 'noArea' : frequencyStatus;
 }
 
 /** Of each parameter the value that is farthest out. A material can be stiffer than an engine lets its users type in. */
@@ -71,12 +84,15 @@ export function describeTuning(
   const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
   const moved = motion ? describeMotion(motion) : `the motion itself was not tried${why}`;
   const beyond = outOfRange.map((parameter) => describeOutOfRange(solver, parameter));
-  const errors =
-    frequencyStatus === 'noConvergence'
-      ? `in ${profileOf(solver).label} no search for the modes of this shape converges, so there are no frequencies to tune: masses are, the factors stay at 1`
-      : describeFrequencies(solver, frequencies);
+  const errors = describeFrequencies(solver, frequencies, frequencyStatus);
   return [errors, moved, ...beyond];
 }
+
+const MISSING: Record<MissingFrequencies, string> = {
+  noResistance: 'this shape bends without resistance',
+  noArea: 'triangles without area leave this shape no modes',
+  noConvergence: 'no search for the modes of this shape converges',
+};
 
 function describeOutOfRange(solver: SolverName, { name, value, min, max }: OutOfRange): string {
   const limit = value > max ? `at most ${numberOf(max)}` : `at least ${numberOf(min)}`;
@@ -88,10 +104,11 @@ const numberOf = (value: number): string => value.toLocaleString('en-US', { maxi
 function describeFrequencies(
   solver: SolverName,
   { errorUntouched, errorTuned, errorUnseen }: Partial<TunedFrequencies>,
+  missing: MissingFrequencies = 'noResistance',
 ): string {
   const { label } = profileOf(solver);
   if (errorUntouched === undefined || errorTuned === undefined)
-    return `in ${label} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1`;
+    return `in ${label} ${MISSING[missing]}, so there are no frequencies to tune: masses are, the factors stay at 1`;
   const unseen = errorUnseen === undefined ? '' : ` (modes that were not tuned ${percentOf(errorUnseen)})`;
   return `in ${label} the first ten frequencies are off by ${percentOf(errorTuned)} tuned${unseen}, by ${percentOf(errorUntouched)} with the original's numbers`;
 }

@@ -15,25 +15,48 @@ export interface MeshFacts {
   unit: number;
 }
 
+/** A triangle is flat where its height is no larger share of its longest edge. */
+const FLAT = 1e-7;
+
+/** Whether a triangle of the mesh has no area, up to the rounding of its positions. */
+export function hasFlatTriangles({ positions, triangles }: TriangleMesh): boolean {
+  const point = (corner: number): Vector => {
+    const first = 3 * triangles[corner];
+    return [positions[first], positions[first + 1], positions[first + 2]];
+  };
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [point(t), point(t + 1), point(t + 2)];
+    const edges = [from(a, b), from(b, c), from(c, a)];
+    const longest = Math.max(...edges.map((edge) => length3(...edge)));
+    if (!(doubleArea(edges[0], edges[1]) > FLAT * longest * longest)) return true;
+  }
+  return false;
+}
+
+type Vector = [number, number, number];
+
+const from = (a: Vector, b: Vector): Vector => [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+
+const doubleArea = (a: Vector, b: Vector): number =>
+  length3(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+
 /** The facts of a welded mesh with at least one face; `unit` in metres per unit of its positions. */
 export function meshFacts(mesh: TriangleMesh, unit: number): MeshFacts {
   const { positions, triangles } = mesh;
   const count = vertexCount(mesh);
-  const along = (from: number, to: number): number[] =>
-    [0, 1, 2].map((c) => positions[3 * to + c] - positions[3 * from + c]);
+  const point = (v: number): Vector => [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
+  const along = (first: number, second: number): Vector => from(point(first), point(second));
   const seen = new Set<number>();
   let [area, length] = [0, 0];
   for (let t = 0; t < triangles.length; t += 3) {
     const corners = [triangles[t], triangles[t + 1], triangles[t + 2]];
-    const [a, b] = [along(corners[0], corners[1]), along(corners[0], corners[2])];
-    area += length3(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]) / 2;
-    corners.forEach((from, k) => {
-      const to = corners[(k + 1) % 3];
-      const key = Math.min(from, to) * count + Math.max(from, to);
+    area += doubleArea(along(corners[0], corners[1]), along(corners[0], corners[2])) / 2;
+    corners.forEach((first, k) => {
+      const second = corners[(k + 1) % 3];
+      const key = Math.min(first, second) * count + Math.max(first, second);
       if (seen.has(key)) return;
       seen.add(key);
-      const [x, y, z] = along(from, to);
-      length += length3(x, y, z);
+      length += length3(...along(first, second));
     });
   }
   return {

@@ -76,6 +76,8 @@ export const ENGINE: MessageTable = {
     '{solver} での最初の 10 個の周波数の誤差は、調整後 {tuned} (調整に使わなかったモードでは {unseen})、元の数値のままでは {untouched} です。',
   'In {solver} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1.':
     '{solver} ではこの形は抵抗なく曲がるため、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
+  'In {solver} triangles without area leave this shape no modes, so there are no frequencies to tune: masses are, the factors stay at 1.':
+    '{solver} では面積のない三角形があるためこの形のモードが求まらず、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
   'In {solver} no search for the modes of this shape converges, so there are no frequencies to tune: masses are, the factors stay at 1.':
     '{solver} ではこの形のモードの計算が収束しないため、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
   '{solver} takes a {name} of at most {max}, and this needs {value}: choose another material or thickness, or give your own numbers.':
