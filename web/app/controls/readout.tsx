@@ -11,15 +11,15 @@ interface ReadoutProps {
   /** of value and note together; 'named': as others, and the value may be cut in place of the note */
   width?: 'narrow' | 'wide' | 'wider' | 'widest' | 'named';
   /** its place on a phone, from 0 on; the others follow */
-  place?: number;
+  phoneOrder?: number;
 }
 
-export function Readout({ name, value, note, isBad, width, place }: ReadoutProps) {
+export function Readout({ name, value, note, isBad, width, phoneOrder }: ReadoutProps) {
   return (
     <div
       class={`${width ?? ''} ${isBad ? 'bad' : ''}`}
       title={`${value} ${note}`}
-      style={place === undefined ? undefined : { '--place': place }}
+      style={phoneOrder === undefined ? undefined : { '--phone-order': phoneOrder }}
     >
       <dt>{say(name)}</dt>
       <dd>

@@ -27,7 +27,7 @@ function NameReadout() {
   const chosen = wants.body.value;
   if (bodies.length === 1) return null;
   const which = say('{number} of {all}', { number: count(chosen + 1), all: count(bodies.length) });
-  return <Readout name="Mesh" value={bodies[chosen].name} note={which} width="named" place={0} />;
+  return <Readout name="Mesh" value={bodies[chosen].name} note={which} width="named" phoneOrder={0} />;
 }
 
 function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
@@ -44,7 +44,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
           value={`${count(total)} → ${count(faces)}`}
           note={`${fixed(change, 1)} %`}
           width="wider"
-          place={1}
+          phoneOrder={1}
         />
         <Readout
           name="Smallest angle"
@@ -61,7 +61,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
           value={metrics ? `${fixed(metrics.hausdorff, 2)} %` : '...'}
           note={metrics ? say('mean {mean} %', { mean: fixed(metrics.mean, 3) }) : say('of the diagonal')}
           width="wide"
-          place={3}
+          phoneOrder={3}
         />
         <FrequencyReadout />
         <TopologyReadout />
@@ -86,7 +86,7 @@ function spokenResult(body: BodySummary, faces: number): string {
 
 function TopologyReadout() {
   const metrics = shownMetrics.value;
-  if (!metrics) return <Readout name="Topology" value="..." note="" width="widest" place={2} />;
+  if (!metrics) return <Readout name="Topology" value="..." note="" width="widest" phoneOrder={2} />;
   const { certificate, inspection } = metrics;
   return (
     <Readout
@@ -95,7 +95,7 @@ function TopologyReadout() {
       note={describeTopology(inspection)}
       isBad={!certificate.kept}
       width="widest"
-      place={2}
+      phoneOrder={2}
     />
   );
 }
@@ -149,7 +149,7 @@ function OriginalReadouts() {
         value={count(inspection.faces)}
         note={sayCounted(inspection.vertices, '{count} vertex', '{count} vertices')}
         width="wider"
-        place={1}
+        phoneOrder={1}
       />
       <Readout name="Smallest angle" value={`${fixed(minAngle, 1)}°`} note="" />
       <Readout name="Mean of smallest" value={`${fixed(meanMinAngle, 1)}°`} note="" />
@@ -158,7 +158,7 @@ function OriginalReadouts() {
         value={inspection.nonManifoldEdges > 0 ? say('non-manifold') : say('manifold')}
         note={describeTopology(inspection)}
         width="widest"
-        place={2}
+        phoneOrder={2}
       />
     </dl>
   );

@@ -28,9 +28,9 @@ function describeScenario(scenario: Settings['scenario']): string {
   if (!ends) return '';
   const { pinned, sentence } = scenarioWords(scenario);
   const what = say(sentence, { end: say(ends.high) });
-  const isHeld = pinSource.value !== 'scenario';
-  if (isHeld && pinned === '') return say('Falls as far as what is held in place lets it.');
-  if (isHeld || pinned === '') return what;
+  const isPinned = pinSource.value !== 'scenario';
+  if (isPinned && pinned === '') return say('Falls as far as what is held in place lets it.');
+  if (isPinned || pinned === '') return what;
   const pinnedEnds = pinned === 'both' ? say('Both ends') : say(ends[pinned]);
   return `${what} ${say('{ends} held.', { ends: pinnedEnds })}`;
 }

@@ -25,7 +25,7 @@ export function SimulateReadouts() {
         value={frame ? `${fixed(frame.time, 2)} s` : '...'}
         note={describePace(frame)}
         width="wide"
-        place={0}
+        phoneOrder={0}
       />
       <Cost name="Original, per step" seconds={times.original} />
       <Cost name="Optimized, per step" seconds={times.optimized} />
@@ -34,14 +34,14 @@ export function SimulateReadouts() {
         value={speedUp(times)}
         note={describeSpeedUp(times)}
         width="narrow"
-        place={1}
+        phoneOrder={1}
       />
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
         note={noise === null ? say('no noise floor') : say('noise {noise}', { noise: percent(noise) })}
         width="wide"
-        place={2}
+        phoneOrder={2}
       />
       <Readout
         name="Stretch"
