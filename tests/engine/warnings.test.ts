@@ -2,10 +2,16 @@ import { describe, expect, it } from 'vitest';
 import { canRedraw, redrawn } from '../../web/cli/terminal';
 import { warningLines } from '../../web/cli/warnings';
 import type { BodyRun } from '../../web/engine/stages/body_run';
-import { resultWarnings } from '../../web/engine/stages/file_warnings';
+import { FileRun } from '../../web/engine/stages/file_run';
+import { openModel } from '../../web/engine/document/open';
+import { preparedWarnings, resultWarnings } from '../../web/engine/stages/file_warnings';
 import type { RunSettings } from '../../web/engine/stages/stage';
 import { STAGES } from '../../web/engine/stages/stages';
 import { lineAlone, ofBody, ofSentence } from '../../web/engine/report/warnings';
+import { defaultSettings } from '../../web/engine/settings/options';
+import { loadTestCore } from './support/core';
+import { addMesh, glbFile, primitiveOf, startDocument } from './support/gltf';
+import { torus } from './support/shapes';
 
 const many = (count: number, textOf: (i: number) => string) =>
   Array.from({ length: count }, (_, i) => ofBody(`part ${i}`, textOf(i)));
@@ -53,6 +59,22 @@ describe('warnings', () => {
       'each of 2 bodies: no usable face, 1 to 7 with a repeated vertex: repair it; it stays as it is',
     ]);
   });
+});
+
+it('say of a mesh that its node scales unevenly what a solver moves, and of others nothing', async () => {
+  const document = startDocument();
+  for (const name of ['even', 'uneven']) addMesh(document, name, [primitiveOf(document, torus())]);
+  document.getRoot().listNodes()[1].setScale([1, 1, 3]);
+  const file = new FileRun(await loadTestCore(1), await openModel([await glbFile(document)]));
+  const linesFor = (solver: 'none' | 'jolt') =>
+    preparedWarnings(file, { ...defaultSettings(), solver })
+      .map(lineAlone)
+      .filter((line) => line.includes('modelling program'));
+  expect(linesFor('none')).toEqual([]);
+  expect(linesFor('jolt')).toEqual([
+    'uneven: mesh and masses for the solver have the mean of the scale of its node, and so another shape than the scene: apply that scale in the modelling program first',
+  ]);
+  file.dispose();
 });
 
 describe('the line of progress', () => {

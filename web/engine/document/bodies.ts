@@ -54,7 +54,10 @@ export function bodiesOfDocument(
     if (!scaling.isEven) bodyNotes.push('its node scales it unevenly: frequencies take the mean scale');
     const [positions, indices] = [gathering.positions.finish(), gathering.indices.finish()];
     const { spans } = gathering;
-    bodies.push({ name, positions, indices, notes: bodyNotes, mesh: number, spans, scale: scaling.scale });
+    bodies.push({
+      ...{ name, positions, indices, notes: bodyNotes, mesh: number, spans, scale: scaling.scale },
+      ...(scaling.isEven ? {} : { isScaledUnevenly: true }),
+    });
   }
   return { bodies, notes: describeWithout(without) };
 }

@@ -41,6 +41,8 @@ export interface Body {
    * ignores the node; the mean of the axes if not uniform
    */
   scale: number;
+  /** absent where the scale is the same along all axes */
+  isScaledUnevenly?: true;
   /** of a body that was brought into the space of another mesh; absent: its positions are those of the file */
   own?: OwnSpace;
 }

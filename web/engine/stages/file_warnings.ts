@@ -27,8 +27,21 @@ export function preparedWarnings(file: FileRun, settings: Settings): Warning[] {
         ofBody(body.name, fate && file.guides ? `${text} ${fate}` : text, isOneOfMany),
       ),
   );
-  return [...unusable, ...health];
+  return [...unusable, ...health, ...(settings.solver === 'none' ? [] : unevenlyScaled(file, settings))];
 }
+
+/** A solver moves the mesh itself, which has one unit. */
+const unevenlyScaled = (file: FileRun, settings: Settings): Warning[] =>
+  file
+    .prepared(settings)
+    .filter(({ body }) => body.isScaledUnevenly)
+    .map(({ body }) =>
+      ofBody(
+        body.name,
+        'mesh and masses for the solver have the mean of the scale of its node, and so another shape than the scene: apply that scale in the modelling program first',
+        file.model.bodies.length > 1,
+      ),
+    );
 
 /** Bodies whose size in metres is implausible. `nameOf`: what the reader knows settings as. */
 export const sizeWarnings = (
