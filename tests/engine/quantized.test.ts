@@ -2,12 +2,14 @@
 
 import { KHRMaterialsVariants, KHRMaterialsVolume, KHRMeshQuantization } from '@gltf-transform/extensions';
 import type { MappingList, Volume } from '@gltf-transform/extensions';
-import type { Document, Material, Node } from '@gltf-transform/core';
+import type { Document, Material, Mesh, Node } from '@gltf-transform/core';
 import { getBounds } from '@gltf-transform/functions';
 import { expect, it } from 'vitest';
 import type { TriangleMesh } from '../../web/engine/core/core';
 import type { Compression } from '../../web/engine/core/output_words';
+import type { ExportedBody } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
+import type { OpenModel } from '../../web/engine/document/open';
 import { validateFiles } from '../../web/engine/document/validate';
 import { exportFiles } from '../../web/engine/document/write/export_files';
 import { addMesh, floats, glbFile, primitiveOf, startDocument } from './support/gltf';
@@ -32,7 +34,19 @@ const enlarged = ({ positions, triangles }: TriangleMesh, factor: number): Trian
 
 async function written(document: Document, compression: Compression, isKept = false): Promise<Document> {
   const model = await openModel([await glbFile(document)]);
-  const bodies = model.bodies.map((body) => (isKept ? null : { first: asResult(body), further: [] }));
+  return exported(
+    model,
+    compression,
+    model.bodies.map((body) => (isKept ? null : asResult(body))),
+  );
+}
+
+async function exported(
+  model: OpenModel,
+  compression: Compression,
+  results: (ExportedBody | null)[],
+): Promise<Document> {
+  const bodies = results.map((first) => first && { first, further: [] });
   const files = await exportFiles(model, bodies, {
     name: 'a.glb',
     form: { format: 'glb', isZipped: false },
@@ -119,4 +133,40 @@ it.each(['quantized', 'meshopt'] as const)('in %s can have a mesh without any po
     .map((one) => one.listSemantics());
   expect(semantics).toEqual([['_HEAT']]);
   expect(root.listAccessors()).toHaveLength(3);
+});
+
+it('that move out of the range of the integers are floats, in all primitives of their mesh and in no other mesh', async () => {
+  const document = startDocument();
+  document.createExtension(KHRMeshQuantization).setRequired(true);
+  const largest = Math.max(...torus().positions);
+  for (const [name, count] of [
+    ['moved', 2],
+    ['still', 1],
+  ] as const) {
+    const primitives = Array.from({ length: count }, () => primitiveOf(document, torus()));
+    for (const primitive of primitives) {
+      const integers = Int16Array.from(torus().positions, (value) => Math.round((32767 / largest) * value));
+      primitive.getAttribute('POSITION')!.setArray(integers).setNormalized(true);
+    }
+    addMesh(document, name, primitives);
+  }
+  const model = await openModel([await glbFile(document)]);
+  const [moved, still] = model.bodies.map(asResult);
+  const positions = moved.mesh.positions.map((value) => 1.004 * value);
+  const results = [{ ...moved, mesh: { ...moved.mesh, positions } }, still];
+  const root = (await exported(model, 'like-input', results)).getRoot();
+  const placesOf = (mesh: Mesh) =>
+    mesh.listPrimitives().map((primitive) => primitive.getAttribute('POSITION')!.getArray()!);
+  const [floating, stored] = root.listMeshes().map(placesOf);
+  expect(floating.map((one) => one.constructor)).toEqual([Float32Array, Float32Array]);
+  expect(Math.max(...floating[0])).toBeCloseTo(1.004, 6);
+  expect(stored[0]).toBeInstanceOf(Int16Array);
+  const extensions = async (bodies: ExportedBody[]) =>
+    (await exported(model, 'like-input', bodies))
+      .getRoot()
+      .listExtensionsUsed()
+      .map(({ extensionName }) => extensionName);
+  expect(await extensions(results)).toEqual(['KHR_mesh_quantization']);
+  const bothMoved = results.map((one) => ({ ...one, mesh: { ...one.mesh, positions } }));
+  expect(await extensions(bothMoved)).toEqual([]);
 });

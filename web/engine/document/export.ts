@@ -21,7 +21,7 @@ import { dropEarlierAttributes, dropEarlierExtras } from './write/earlier_result
 import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
 import { rememberShared } from './write/shared_accessors';
-import { likeStored } from './write/stored_values';
+import { likeStored, storedAgain } from './write/stored_values';
 import type { MorphTarget } from './shapes';
 import { GrowingIndices } from './growing';
 import { CARRIED, geometryOf, isUntouched } from './vertices';
@@ -109,7 +109,10 @@ export const additionsOf = (model: OpenModel, bodies: (ExportedBody | null)[]): 
 export interface ReplaceOptions extends ExportOptions, Kept {
   /** whether primitives without normals get smooth ones */
   smoothed: boolean;
-  /** whether positions and normals of integers stay integers; otherwise they become floats */
+  /**
+   * whether positions and normals of integers stay integers; otherwise they become floats, as do positions of a mesh that has one
+   * outside the range of its integers
+   */
   keepsStored?: boolean;
   /** makes tangents of changed faces again, see `tangentGenerator`; null: they are carried */
   tangents: GenerateTangents | null;
@@ -187,6 +190,8 @@ function replaceMesh(
   const normals = resultNormals(exported.mesh, exported.hardCosine ?? undefined);
   const trianglesOfSpan = shareOut(body, exported.inputOfTriangle);
   const written: Primitive[] = [];
+  const before = body.spans.map(({ primitive }) => primitives[primitive].getAttribute('POSITION')!);
+  const stores = storedAgain(keepsStored, exported.mesh.positions, before);
   body.spans.forEach((span, i) => {
     const primitive = primitives[span.primitive];
     if (trianglesOfSpan[i].length === 0) {
@@ -196,7 +201,7 @@ function replaceMesh(
     const keyOf = normalKeys(primitive, span, exported, { normals, smoothed });
     const geometry = geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf);
     const old = tangents && mikkTSpaceOf(primitive, indicesOfSpan(body, i), tangents);
-    writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals, keepsStored });
+    writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals, stores });
     if (old) {
       const isUnchanged = Array.from(
         trianglesOfSpan[i],
@@ -260,8 +265,8 @@ function writePrimitive(
   {
     geometry,
     normals,
-    keepsStored,
-  }: { geometry: PrimitiveGeometry; normals: ResultNormals; keepsStored: boolean },
+    stores,
+  }: { geometry: PrimitiveGeometry; normals: ResultNormals; stores: (semantic: string) => boolean },
 ): void {
   const { vertexOfMesh, firstCorner, sources } = geometry;
   dropUncarried(primitive);
@@ -274,7 +279,7 @@ function writePrimitive(
       .setType(type)
       .setArray(values);
     const old = primitive.getAttribute(semantic);
-    primitive.setAttribute(semantic, keepsStored && old ? likeStored(accessor, old) : accessor);
+    primitive.setAttribute(semantic, old && stores(semantic) ? likeStored(accessor, old) : accessor);
   };
   add('POSITION', gatherTriples(exported.mesh.positions, vertexOfMesh), 'VEC3');
   if (geometry.normalKey.some((key) => key !== CARRIED))
