@@ -11,11 +11,12 @@ import { runCompare } from '../../web/cli/compare';
 import { runOptimize } from '../../web/cli/optimize';
 import { runSimulate } from '../../web/cli/simulate';
 import { runTune } from '../../web/cli/tune';
-import { chosenOf, pairedModel } from '../../web/engine/body/paired_bodies';
+import { pairedModel } from '../../web/engine/body/paired_bodies';
 import { openModel } from '../../web/engine/document/open';
 import type { OpenModel } from '../../web/engine/document/open';
 import type { Report } from '../../web/engine/report/report';
 import { readSettingsFile } from '../../web/engine/report/settings_reader';
+import { defaultSettings } from '../../web/engine/settings/options';
 import type { TriangleMesh } from '../../web/engine/core/core';
 import { addMesh, glbFile, primitiveOf, startDocument } from './support/gltf';
 import { grid, torus } from './support/shapes';
@@ -41,15 +42,8 @@ const nodeOf = (document: Document, name: string) =>
 
 const open = async (document: Document): Promise<OpenModel> => openModel([await glbFile(document)]);
 
-const pair = (original: OpenModel, other: OpenModel): OpenModel => {
-  const [first, second] = [original, other].map((model) =>
-    chosenOf(
-      model,
-      model.bodies.map((_, i) => i),
-    ),
-  );
-  return pairedModel(first, second);
-};
+const pair = (original: OpenModel, other: OpenModel): OpenModel =>
+  pairedModel(original, other, defaultSettings());
 
 describe('bodies are paired', () => {
   it('by name where both models have the same names, each once, otherwise by their order', async () => {

@@ -12,7 +12,7 @@ import { describeFormerWords, readSettings } from '../engine/settings/setting_te
 import { FACE_COUNT, FACE_SHARE } from '../engine/settings/targets';
 import type { ValueRule } from '../engine/settings/targets';
 import { SOLVER_NAMES } from '../engine/solvers/profiles';
-import { readsBendRatio } from '../engine/stages/tune';
+import { checkBendRatio } from '../engine/stages/tune';
 import { engineFromFile, fileOfEngine } from './engine_file';
 import { UsageError } from './failure';
 import { readBatchFlags } from './batch/flags';
@@ -236,10 +236,7 @@ function checkSolverFlags(command: Command, settings: Settings, values: Map<stri
       );
   } else if (command === 'tune' && !values.has('settings'))
     throw new UsageError('limber tune needs a file for what it finds: --settings FILE.');
-  else if (values.has('bend-ratio') && !readsBendRatio(settings))
-    throw new UsageError(
-      `--bend-ratio is for springs and dihedral without a bend of --engine: leave it out, and give ${solver} its own numbers by --engine.`,
-    );
+  else if (values.has('bend-ratio')) checkBendRatio(settings);
 }
 
 /** The settings of --preset; none without it. */

@@ -7,7 +7,7 @@ import type { Report } from '../engine/report/report';
 import type { Warning } from '../engine/report/warnings';
 import { FileRun } from '../engine/stages/file_run';
 import { preparedWarnings } from '../engine/stages/file_warnings';
-import { chosenOf, pairedModel } from '../engine/body/paired_bodies';
+import { pairedModel } from '../engine/body/paired_bodies';
 import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { takeCore } from './core_start';
@@ -104,9 +104,7 @@ export function prepareFile(session: Session, model: OpenModel): FileRun {
 
 /** As `prepareFile`, of the bodies beside those of the original: see `pairedModel`. */
 export function preparePartners(session: Session, original: OpenModel, other: OpenModel): FileRun {
-  const { settings } = session.args;
-  const [first, second] = [original, other].map((model) => chosenOf(model, chosenBodies(model, settings)));
-  return prepareFile(session, pairedModel(first, second));
+  return prepareFile(session, pairedModel(original, other, session.args.settings));
 }
 
 /**

@@ -4,7 +4,7 @@ import { describeHealth } from '../../engine/body/health';
 import type { HealthNote } from '../../engine/body/health';
 import { allFaces } from '../../engine/body/layers';
 import type { PreparedBody } from '../../engine/body/prepared_body';
-import { nodeMatrixOf } from '../../engine/document/placements';
+import { meshMatrices } from '../../engine/document/placements';
 import { defaultSettings } from '../../engine/settings/options';
 import type { FileRun } from '../../engine/stages/file_run';
 import { STAGES } from '../../engine/stages/stages';
@@ -12,14 +12,14 @@ import type { OpenedBody } from './protocol';
 
 /** Their faces are those that a result can have: duplicates included, degenerate ones left out, as the health says. */
 export function describeBodies({ runs, model }: FileRun): OpenedBody[] {
-  const meshes = model.document.getRoot().listMeshes();
+  const matrices = meshMatrices(model.document);
   return model.bodies.map((body, i) => {
     const prepared = runs[i]?.get(STAGES.prepared, defaultSettings());
     return {
       name: body.name,
       faces: prepared ? allFaces(prepared.layers) : body.indices.length / 3,
       mesh: body.mesh,
-      nodeMatrix: nodeMatrixOf(model.document, meshes[body.mesh]),
+      nodeMatrix: matrices[body.mesh],
       health: prepared ? healthOf(prepared) : null,
     };
   });

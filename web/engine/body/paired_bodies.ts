@@ -1,34 +1,31 @@
 /** The bodies of another model beside those of the original: in the same order, and in the space of the original's meshes. */
 
 import { inverse, isSimilarity, product, scaleOf, transformed } from '../core/affine';
+import type { Matrix } from '../core/affine';
 import { boundsOf } from '../core/mesh';
 import type { Body, OpenModel } from '../document/model';
-import { nodeMatrixOf } from '../document/placements';
-
-/** A model with the bodies of it that take part. */
-export interface ChosenModel {
-  model: OpenModel;
-  bodies: Body[];
-}
-
-export const chosenOf = (model: OpenModel, chosen: readonly number[]): ChosenModel => ({
-  model,
-  bodies: chosen.map((i) => model.bodies[i]),
-});
+import { meshMatrices } from '../document/placements';
+import { chosenBodies } from './selection';
+import type { SelectionSettings } from './selection';
 
 /**
  * The other model with its chosen bodies alone, each at the place of its partner in the original: by name where both have the same
  * names, each once, otherwise by the order of their files. A body that its node scales or moves otherwise, as one of integers is, comes
- * into the space of the original's mesh where that brings the two clearly nearer. Nothing is paired where the numbers differ.
+ * into the space of the original's mesh where that brings the two clearly nearer. Nothing is paired where the numbers differ. Throws an
+ * Error where the settings choose no body of a model.
  */
-export function pairedModel(original: ChosenModel, other: ChosenModel): OpenModel {
-  const { model } = other;
-  if (original.bodies.length !== other.bodies.length) return { ...model, bodies: other.bodies };
-  const ordered = partnersByName(original.bodies, other.bodies) ?? other.bodies;
-  const bodies = original.bodies.map((body, i) =>
-    inSpaceOf({ model: original.model, body }, { model, body: ordered[i] }),
+export function pairedModel(original: OpenModel, other: OpenModel, settings: SelectionSettings): OpenModel {
+  const [originals, others] = [original, other].map((model) =>
+    chosenBodies(model, settings).map((i) => model.bodies[i]),
   );
-  return { ...model, bodies };
+  if (originals.length !== others.length) return { ...other, bodies: others };
+  const [here, there] = [original, other].map(({ document }) => meshMatrices(document));
+  const ordered = partnersByName(originals, others) ?? others;
+  const bodies = originals.map((body, i) => {
+    const partner = ordered[i];
+    return inSpaceOf(body, partner, product(inverse(here[body.mesh]), there[partner.mesh]));
+  });
+  return { ...other, bodies };
 }
 
 /** null where the names of both are not the same, each once. */
@@ -40,25 +37,19 @@ function partnersByName(originals: Body[], others: Body[]): Body[] | null {
   return partners.length === others.length ? partners : null;
 }
 
-interface OfModel {
-  model: OpenModel;
-  body: Body;
-}
-
-/** The body as it is where its shape would not survive, or where it is there already. */
-function inSpaceOf(original: OfModel, { model, body }: OfModel): Body {
-  const [here, there] = [original, { model, body }].map(({ model: { document }, body: { mesh } }) =>
-    nodeMatrixOf(document, document.getRoot().listMeshes()[mesh]),
-  );
-  const between = product(inverse(here), there);
+/**
+ * The body in the space of the original, to which the matrix leads; as it is where its shape would not survive, or where it is there
+ * already.
+ */
+function inSpaceOf(original: Body, body: Body, between: Matrix): Body {
   if (!isSimilarity(between)) return body;
   const positions = transformed(body.positions, between);
-  const wanted = original.body.positions;
+  const wanted = original.positions;
   if (2 * boxDistance(positions, wanted) >= boxDistance(body.positions, wanted)) return body;
   return {
     ...body,
     positions,
-    scale: original.body.scale,
+    scale: original.scale,
     own: { positions: body.positions, scale: scaleOf(between) },
   };
 }

@@ -1,6 +1,8 @@
 /** Affine maps as 4 x 4 matrices, column by column, whose last row is 0, 0, 0, 1. */
 
 import { length3 } from './exact_math';
+import { cross, dot } from './vectors';
+import type { Vector } from './vectors';
 
 export type Matrix = ArrayLike<number>;
 
@@ -14,10 +16,10 @@ export function product(a: Matrix, b: Matrix): number[] {
 
 /** The inverse, by cofactors; not finite where there is none. */
 export function inverse(m: Matrix): number[] {
-  const [x, y, z] = [0, 4, 8].map((at) => [m[at], m[at + 1], m[at + 2]]);
+  const [x, y, z] = axesOf(m);
   const rows = [cross(y, z), cross(z, x), cross(x, y)];
   const determinant = dot(x, rows[0]);
-  const turned = rows.map((row) => row.map((value) => value / determinant));
+  const turned = rows.map((row) => row.map((value) => value / determinant) as Vector);
   const moved = turned.map((row) => -dot(row, [m[12], m[13], m[14]]));
   const column = (c: number): number[] => [...turned.map((row) => row[c]), 0];
   return [...column(0), ...column(1), ...column(2), ...moved, 1];
@@ -25,7 +27,7 @@ export function inverse(m: Matrix): number[] {
 
 /** Whether it keeps angles, up to `tolerance`: it turns, mirrors, moves, and scales all axes alike. */
 export function isSimilarity(m: Matrix, tolerance = 1e-3): boolean {
-  const axes = [0, 4, 8].map((at) => [m[at], m[at + 1], m[at + 2]]);
+  const axes = axesOf(m);
   const lengths = axes.map(([x, y, z]) => length3(x, y, z));
   const [smallest, largest] = [Math.min(...lengths), Math.max(...lengths)];
   if (!(smallest > 0) || !Number.isFinite(largest) || largest > (1 + tolerance) * smallest) return false;
@@ -47,10 +49,5 @@ export function transformed(positions: Float32Array, m: Matrix): Float32Array {
   return result;
 }
 
-const cross = (a: number[], b: number[]): number[] => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
-const dot = (a: number[], b: number[]): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+/** The images of the axes. */
+const axesOf = (m: Matrix): Vector[] => [0, 4, 8].map((at) => [m[at], m[at + 1], m[at + 2]]);

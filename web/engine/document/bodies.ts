@@ -5,7 +5,7 @@ import { length3 } from '../core/exact_math';
 import { GrowingFloats, GrowingIndices } from './growing';
 import { counted } from '../core/words';
 import type { Body, PrimitiveSpan } from './model';
-import { meshMatrixOf } from './placements';
+import { firstNodes, meshMatrixOf } from './placements';
 
 /** glTF's primitive modes. */
 const LINES_FROM = 1;
@@ -71,16 +71,6 @@ function repeatedNames(document: Document): Set<string> {
     seen.add(name);
   }
   return repeated;
-}
-
-/** The first node that shows each mesh. */
-function firstNodes(document: Document): Map<Mesh, Node> {
-  const nodes = new Map<Mesh, Node>();
-  for (const node of document.getRoot().listNodes()) {
-    const mesh = node.getMesh();
-    if (mesh && !nodes.has(mesh)) nodes.set(mesh, node);
-  }
-  return nodes;
 }
 
 /** One note for all meshes without triangles for the same reasons. */

@@ -91,11 +91,26 @@ function composed(moved: number[], [a, b, c, d]: number[], scaled: number[]): nu
   return [...turned.flatMap((axis, k) => [...axis.map((value) => scaled[k] * value), 0]), ...moved, 1];
 }
 
-/** `meshMatrixOf` of the first node that shows a mesh. The identity where none does. */
-export function nodeMatrixOf(document: Document, mesh: Mesh): number[] {
-  const nodes = document.getRoot().listNodes();
-  const node = nodes.find((one) => one.getMesh() === mesh);
-  return node ? meshMatrixOf(node) : [...IDENTITY];
+/** The first node that shows each mesh. */
+export function firstNodes(document: Document): Map<Mesh, Node> {
+  const nodes = new Map<Mesh, Node>();
+  for (const node of document.getRoot().listNodes()) {
+    const mesh = node.getMesh();
+    if (mesh && !nodes.has(mesh)) nodes.set(mesh, node);
+  }
+  return nodes;
+}
+
+/** Per mesh of the document `meshMatrixOf` of the first node that shows it. The identity where none does. */
+export function meshMatrices(document: Document): number[][] {
+  const nodes = firstNodes(document);
+  return document
+    .getRoot()
+    .listMeshes()
+    .map((mesh) => {
+      const node = nodes.get(mesh);
+      return node ? meshMatrixOf(node) : [...IDENTITY];
+    });
 }
 
 /**

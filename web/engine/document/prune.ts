@@ -118,7 +118,8 @@ export interface Kept {
 
 const NONE_SPARED: ReadonlySet<Property> = new Set();
 
-const isUnused = (property: Property, root: Root): boolean =>
+/** Whether nothing but the root, which lists it, refers to a property. */
+export const isUnused = (property: Property, root: Root): boolean =>
   property.listParents().every((parent) => parent === root);
 
 /** What `disposeUnused` would dispose of as the document is: its owner may have plans for it. */

@@ -1,9 +1,10 @@
 /** How a node turns a mesh, so that what is up in the scene is up where gravity pulls. */
 
+import { cross, dot } from '../core/vectors';
+import type { Vector } from '../core/vectors';
+
 /** A rotation, row by row: from the space of a mesh to one that stands as the scene does, with the mesh's own size and place. */
 export type SceneRotation = readonly number[];
-
-type Vector = [number, number, number];
 
 /** Turns by less than this, per component, change no picture. */
 const NONE = 1e-6;
@@ -37,14 +38,6 @@ export function rotated(points: Float32Array, rotation: SceneRotation | null, is
         entry(row, 0) * points[i] + entry(row, 1) * points[i + 1] + entry(row, 2) * points[i + 2];
   return out;
 }
-
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 
 function unit(vector: Vector): Vector | null {
   const length = Math.sqrt(dot(vector, vector));

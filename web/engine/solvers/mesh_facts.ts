@@ -2,6 +2,8 @@
 
 import type { TriangleMesh } from '../core/core';
 import { length3 } from '../core/exact_math';
+import { cross, difference } from '../core/vectors';
+import type { Vector } from '../core/vectors';
 import { faceCount, vertexCount } from '../core/mesh';
 
 export interface MeshFacts {
@@ -26,26 +28,21 @@ export function hasFlatTriangles({ positions, triangles }: TriangleMesh): boolea
   };
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [point(t), point(t + 1), point(t + 2)];
-    const edges = [from(a, b), from(b, c), from(c, a)];
+    const edges = [difference(a, b), difference(b, c), difference(c, a)];
     const longest = Math.max(...edges.map((edge) => length3(...edge)));
     if (!(doubleArea(edges[0], edges[1]) > FLAT * longest * longest)) return true;
   }
   return false;
 }
 
-type Vector = [number, number, number];
-
-const from = (a: Vector, b: Vector): Vector => [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-
-const doubleArea = (a: Vector, b: Vector): number =>
-  length3(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+const doubleArea = (a: Vector, b: Vector): number => length3(...cross(a, b));
 
 /** The facts of a welded mesh with at least one face; `unit` in metres per unit of its positions. */
 export function meshFacts(mesh: TriangleMesh, unit: number): MeshFacts {
   const { positions, triangles } = mesh;
   const count = vertexCount(mesh);
   const point = (v: number): Vector => [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
-  const along = (first: number, second: number): Vector => from(point(first), point(second));
+  const along = (first: number, second: number): Vector => difference(point(first), point(second));
   const seen = new Set<number>();
   let [area, length] = [0, 0];
   for (let t = 0; t < triangles.length; t += 3) {

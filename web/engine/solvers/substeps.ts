@@ -2,6 +2,8 @@
 
 import type { SolverConstants, SolverModel, TriangleMesh, Tuned } from '../core/core';
 import { length3 } from '../core/exact_math';
+import { cross, difference, dot } from '../core/vectors';
+import type { Vector } from '../core/vectors';
 import { vertexCount } from '../core/mesh';
 
 /** Seconds of a step. */
@@ -13,8 +15,6 @@ interface Constraint {
   stiffness: number;
   norms: number[];
 }
-
-type Vector = [number, number, number];
 
 interface TunedMesh {
   mesh: TriangleMesh;
@@ -94,19 +94,19 @@ function membrane(
   { stretch, secondStretch }: SolverConstants,
 ): Constraint {
   const [a, b, c] = vertices.map(at);
-  const double = lengthOf(cross(from(a, b), from(a, c)));
-  const norms = [from(b, c), from(c, a), from(a, b)].map((edge) => lengthOf(edge) / double);
+  const double = lengthOf(cross(difference(a, b), difference(a, c)));
+  const norms = [difference(b, c), difference(c, a), difference(a, b)].map((edge) => lengthOf(edge) / double);
   return { vertices, stiffness: (scale * (secondStretch + 2 * stretch) * double) / 2, norms };
 }
 
 /** Corners opposite the edge turn it by the inverse of their heights, its ends by shares of both. */
 function hinge(vertices: number[], at: (v: number) => Vector, bend: number, model: SolverModel): Constraint {
   const [i, j, k, l] = vertices.map(at);
-  const edge = from(i, j);
+  const edge = difference(i, j);
   const length = lengthOf(edge);
-  const doubles = [k, l].map((corner) => lengthOf(cross(edge, from(i, corner))));
+  const doubles = [k, l].map((corner) => lengthOf(cross(edge, difference(i, corner))));
   const opposite = doubles.map((double) => length / double);
-  const shares = [k, l].map((corner) => dot(from(i, corner), edge) / (length * length));
+  const shares = [k, l].map((corner) => dot(difference(i, corner), edge) / (length * length));
   const ends = [0, 1].map((end) =>
     opposite.reduce(
       (sum, norm, side) => sum + norm * Math.abs(end === 0 ? 1 - shares[side] : shares[side]),
@@ -122,11 +122,4 @@ function hingeScale({ bend }: SolverModel, length: number, [first, second]: numb
   return (6 * length * length) / (first + second);
 }
 
-const from = (a: Vector, b: Vector): Vector => [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const lengthOf = ([x, y, z]: Vector): number => length3(x, y, z);
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];

@@ -39,9 +39,22 @@ export function tuneSettings(settings: AllSettings): TuneSettings | null {
 }
 
 /** Whether the bend ratio says how stiff the solver bends: of nets that have no bend constant of their own. */
-export function readsBendRatio({ solver, engine }: Pick<Settings, 'solver' | 'engine'>): boolean {
+function readsBendRatio({ solver, engine }: Pick<Settings, 'solver' | 'engine'>): boolean {
   if (solver !== 'springs' && solver !== 'dihedral') return false;
   return !('bend' in engineValues(solver, engine));
+}
+
+/** Throws SettingError where a bend ratio that is given says nothing to the solver. */
+export function checkBendRatio(settings: Pick<Settings, 'solver' | 'engine'>): void {
+  if (readsBendRatio(settings)) return;
+  const engine = { setting: 'engine' } as const;
+  throw new SettingError('bendRatio', [
+    'is for springs and dihedral without a bend of ',
+    engine,
+    `: leave it out, and give ${settings.solver} its own numbers by `,
+    engine,
+    '.',
+  ]);
 }
 
 /** A coarse mesh with its pins and those of its original. */

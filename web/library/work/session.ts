@@ -1,6 +1,6 @@
 /** What every call needs in the worker: the core, the settings, opened models, notes and progress. */
 
-import { chosenOf, pairedModel } from '../../engine/body/paired_bodies';
+import { pairedModel } from '../../engine/body/paired_bodies';
 import { chosenBodies } from '../../engine/body/selection';
 import type { Core, Progress } from '../../engine/core/core';
 import { startStopwatch } from '../../engine/core/stopwatch';
@@ -70,8 +70,7 @@ export class WorkSession {
 
   /** As `prepare`, of the bodies beside those of the original: see `pairedModel`. */
   preparePartners(original: OpenModel, other: OpenModel): FileRun {
-    const [first, second] = [original, other].map((model) => chosenOf(model, this.chosen(model)));
-    return this.prepare(pairedModel(first, second));
+    return this.prepare(pairedModel(original, other, this.settings));
   }
 
   warn(warnings: Warning[]): void {

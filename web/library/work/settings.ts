@@ -16,7 +16,7 @@ import type { Command, SettingName, Settings } from '../../engine/settings/optio
 import { FACE_COUNT, FACE_SHARE, SWITCH } from '../../engine/settings/targets';
 import type { ValueRule } from '../../engine/settings/targets';
 import { SOLVER_NAMES } from '../../engine/solvers/profiles';
-import { readsBendRatio } from '../../engine/stages/tune';
+import { checkBendRatio } from '../../engine/stages/tune';
 
 const textOf = (file: string): ValueRule => ({
   isAllowed: (value) => typeof value === 'string' || value === null,
@@ -74,19 +74,6 @@ function checkSolver(command: Command, settings: Settings): void {
   if (command === 'tune') throw new Error(`tune ${cure}`);
   const setting = SOLVER_SETTINGS.find((name) => settings[name] !== OPTIONS[name].default);
   if (setting !== undefined) throw new SettingError(setting, cure);
-}
-
-/** Throws SettingError where the solver does not bend by it. */
-function checkBendRatio(settings: Settings): void {
-  if (readsBendRatio(settings)) return;
-  const { solver } = settings;
-  throw new SettingError('bendRatio', [
-    'is for springs and dihedral without a bend of ',
-    { setting: 'engine' },
-    `: leave it out, and give ${solver} its own numbers by `,
-    { setting: 'engine' },
-    '.',
-  ]);
 }
 
 function unknownOption(command: Command, name: string): Error {

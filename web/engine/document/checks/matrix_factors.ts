@@ -1,8 +1,9 @@
 /** The factors of any matrix of three columns: it turns, then scales along the axes, then turns again. */
 
 import { length3 } from '../../core/exact_math';
+import { cross, dot } from '../../core/vectors';
+import type { Vector } from '../../core/vectors';
 
-type Vector = [number, number, number];
 /** x, y, z, w, of length 1 */
 export type Quaternion = [number, number, number, number];
 
@@ -118,14 +119,6 @@ function quaternionOf([[a, b, c], [d, e, f], [g, h, i]]: readonly Vector[]): Qua
   const length = Math.sqrt(row.reduce((sum, value) => sum + value * value, 0));
   return row.map((value) => value / length) as Quaternion;
 }
-
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 
 const unitOf = ([x, y, z]: Vector): Vector => {
   const length = length3(x, y, z);

@@ -1,6 +1,6 @@
 /** How vertices are stored in a file, and how a document is made to be written so. */
 
-import type { Accessor, Document, GLTF, Mesh, Primitive, Property } from '@gltf-transform/core';
+import type { Accessor, Document, GLTF, Mesh, Primitive } from '@gltf-transform/core';
 import {
   EXTMeshoptCompression,
   KHRDracoMeshCompression,
@@ -9,7 +9,7 @@ import {
 import type { Compression } from '../../core/output_words';
 import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
 import { INSTANCING } from '../placements';
-import { hasQuantized } from '../prune';
+import { hasQuantized, isUnused } from '../prune';
 import { moreThanMesh, moveToChild } from './child_nodes';
 import { quantizeDifferences, takeOutUnmoving } from './quantized_targets';
 import { followThickness } from './thickness';
@@ -131,9 +131,6 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
   for (const list of [root.listSkins(), root.listAccessors(), shown])
     for (const property of list) if (isUnused(property, root)) property.dispose();
 }
-
-const isUnused = (property: Property, root: Property): boolean =>
-  property.listParents().every((parent) => parent === root);
 
 /** Takes primitives without positions, which cannot be quantized, out of their meshes until the result is called. */
 function takeOutUnplaced(document: Document): () => void {
