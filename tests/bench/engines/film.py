@@ -1,4 +1,4 @@
-"""Film strips of one motion: the original, the best other tool's mesh as it is, and ours with its settings.
+"""Film strips of one motion: the original, the best other tool's untouched mesh, and ours with its settings.
 
 Usage: python tests/bench/engines/film.py ENGINE MESH SCENE PEER OUT.png
        e.g. jolt ribbon hang "update + Regularize" docs/images/engines/jolt.png

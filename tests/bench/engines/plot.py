@@ -1,4 +1,4 @@
-"""The geometric means of the tables in docs/motions.md as a picture: for each engine a line per tool, from its mesh as it is
+"""The geometric means of the tables in docs/motions.md as a picture: for each engine a line per tool, from its untouched mesh
 to the tuned one.
 
 Usage: python tests/bench/engines/plot.py OUT.svg
@@ -42,7 +42,7 @@ def svg(found):
     ticks = [value for value in (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20) if low <= np.log10(value) <= high]
     grid = [f'<line x1="{at(t):.1f}" x2="{at(t):.1f}" y1="8" y2="{y}" stroke="#d6dbe2"/>' for t in ticks]
     parts += [text(at(t), y + 16, f"{t:g} %", "middle") for t in ticks]
-    parts.append(text(WIDTH - RIGHT, y + 32, "distance from the original; open: as it is, full: tuned", "end"))
+    parts.append(text(WIDTH - RIGHT, y + 32, "distance from the original; open: untouched, filled: tuned", "end"))
     height = y + AXIS + 6
     return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" font-family="sans-serif" font-size="12" '
             f'fill="#28303c"><rect width="{WIDTH}" height="{height}" fill="#fafbfd"/>{"".join(grid + parts)}</svg>\n')

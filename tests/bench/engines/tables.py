@@ -78,9 +78,9 @@ def cells_in(section):
 
 
 def means_in(document):
-    """[(heading, number of motions, [(method, as it is, tuned)], ratios)] of the tables of motions of a document.
+    """[(heading, number of motions, [(method, untouched, tuned)], ratios)] of the tables of motions of a document.
 
-    The ratios are those of the sentence below a table: of ours, tuned, over the best other as it is, and over the best other tuned.
+    The ratios are those of the sentence below a table: of ours, tuned, over the best other untouched, and over the best other tuned.
     They come from means before these were rounded.
     """
     found = []
@@ -96,8 +96,8 @@ def means_in(document):
 
 
 def summary(document):
-    """One row for each table of motions: ours as it is and tuned, beside the best of the others, both ways."""
-    head = ["", "motions", "Limber as it is", "tuned", "best other as it is", "over that", "best other tuned", "over that"]
+    """One row for each table of motions: ours untouched and tuned, beside the best of the others, both ways."""
+    head = ["", "motions", "Limber untouched", "tuned", "best other untouched", "ratio to it", "best other tuned", "ratio to it"]
     rows = []
     for title, count, means, ratios in means_in(document):
         (_, before, after), *others = sorted(means, key=lambda mean: mean[0] not in OURS)
