@@ -1,4 +1,4 @@
-/** What the corners of a body carry besides positions, as simplification needs it: charts, and values that cost. */
+/** The attributes of a body's corners besides positions, as simplification needs them: charts, and values that enter its costs. */
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
 import { AlikeMembers, mixed } from '../core/alike';
@@ -28,7 +28,7 @@ export interface BodyAttributes {
   isBare: boolean;
 }
 
-/** The attributes of a body of which only the faces are known. */
+/** The attributes of a body that has nothing but positions and faces. */
 export const NO_ATTRIBUTES: BodyAttributes = {
   charts: { wedges: new Uint32Array(), groups: new Uint32Array() },
   wedgeCount: 0,
@@ -91,7 +91,7 @@ const isBare = (primitive: Primitive): boolean =>
   primitive.listSemantics().every((semantic) => semantic === 'POSITION') &&
   primitive.listTargets().length === 0;
 
-/** Joins classes of corners across hard edges that the angle between faces makes again, where nothing but normals differs. */
+/** Joins classes of corners across hard edges that follow from the angle between faces, where nothing but normals differs. */
 function withoutHardEdges(entries: Entries, mesh: TriangleMesh, all: Classes) {
   const none = { ...all, hardCosine: null };
   const normals = classifyNormals(entries, mesh);
@@ -178,7 +178,7 @@ export function cornerInBody(body: Body, weld: WeldResult): (corner: number) => 
   };
 }
 
-/** Per triangle of the welded mesh: 1 where its second and third corner are swapped in comparison with the body. */
+/** Per triangle of the welded mesh: 1 where its winding is reversed compared with the body's. */
 function turnedTriangles(body: Body, { mesh, vertexOfSource, sourceOfTriangle }: WeldResult): Uint8Array {
   const isTurned = new Uint8Array(sourceOfTriangle.length);
   for (let t = 0; t < isTurned.length; ++t) {
@@ -192,7 +192,7 @@ export function entriesOf(document: Document, body: Body, weld: WeldResult): Ent
   return entriesAt(document, body, weld.sourceOfTriangle, cornerInBody(body, weld));
 }
 
-/** Of layer `number`; a triangle without it has its last one. */
+/** The entries of layer `number`, or of the last layer of a triangle that has fewer. */
 function entriesOfLayer(document: Document, body: Body, layers: Layers, number: number): Entries {
   const layerAt = (t: number) => layersAt(layers, t)[Math.min(number, layerCount(layers, t) - 1)];
   const sources = layers.first.map((_, t) => layerAt(t).source);
@@ -244,7 +244,7 @@ function comparedOf(primitive: Primitive, withNormals: boolean): Compared[] {
   return [...attributes, ...targets];
 }
 
-/** By normals alone; null where a primitive has none. */
+/** Classes of corners by normals alone; null where a primitive has no normals. */
 function classifyNormals(entries: Entries, mesh: TriangleMesh): Classes | null {
   const normals = entries.primitives.map((primitive) => primitive.getAttribute('NORMAL'));
   if (normals.some((accessor) => accessor === null)) return null;
@@ -290,7 +290,7 @@ const lastOf = (classes: Uint32Array): LastMembers => ({
   set: (vertex, one) => (classes[vertex] = one),
 });
 
-/** Equal for entries that agree. */
+/** A hash of an entry's compared values; equal for entries that agree. */
 function hashAt(list: Compared[], entry: number): number {
   let hash = 0;
   for (const { array, size, from, to } of list)

@@ -43,14 +43,14 @@ export function bindingOfBody(
     if (v === NONE) return;
     const corners = cornersOf(result.triangles, written.mesh.triangles, triangle[v]);
     corners.forEach((from, k) => (binding.barycentric[3 * source + k] = barycentric[3 * v + from]));
-    // A triangle that is wound the other way in the file has its normal on the other side.
+    // A triangle with reversed winding in the file has its normal on the other side.
     const isTurned = (corners[1] - corners[0] + 3) % 3 !== 1;
     binding.offset[source] = isTurned ? -offset[v] : offset[v];
   });
   return { name: body.name, mesh: body.mesh, faces: faceCount(written.mesh), binding };
 }
 
-/** Per written triangle its number in the file, which has primitive after primitive. */
+/** Per written triangle: its number in the file, which lists one primitive after the other. */
 function numbersInFile(body: Body, inputOfTriangle: Uint32Array): Uint32Array {
   const spans = inputOfTriangle.map((input) => spanOf(body, input));
   const next = new Uint32Array(body.spans.length + 1);

@@ -1,4 +1,4 @@
-/** What the stages find out about the result of one body. */
+/** What the stages report about the result of one body. */
 
 import type { Fitted, Inspection, Quality, SurfaceDistance, WeldResult } from '../core/core';
 import type { Settings } from '../settings/options';
@@ -14,7 +14,7 @@ export interface Measured {
   certificate: Certificate;
 }
 
-/** Whether the topology is the original's. */
+/** Whether the result has the topology of the original. */
 export interface Certificate {
   components: boolean;
   boundaryLoops: boolean;
@@ -24,13 +24,13 @@ export interface Certificate {
 }
 
 export interface FittedResult extends Fitted {
-  /** how it was fitted; errors of frequencies are known of a modal fit alone */
+  /** how it was fitted; only a modal fit knows frequency errors */
   kind: Settings['fit'];
   /** why the result, or parts of it, stay as the collapses left them; '' where all parts are fitted or none is to be */
   unfitted: string;
 }
 
-/** Where a body has stopped for its largest deviation; % of the diagonal. */
+/** The deviation limit that stopped a body; % of the diagonal. */
 export interface GuardFinding {
   /** the largest deviation of the settings */
   limit: number;

@@ -1,4 +1,4 @@
-/** What attributes of a body cost in a collapse: texture coordinates, colours, and how its animations move it. */
+/** The attributes that enter the cost of a collapse: texture coordinates, colours, and displacements by animations. */
 
 import type { Document } from '@gltf-transform/core';
 import type { TriangleMesh } from '../core/core';
@@ -11,20 +11,20 @@ import { posesOf } from './poses';
 import type { Poses } from './poses';
 import type { PreparedBody } from './prepared_body';
 
-/** What attributes cost in a collapse, as lengths divided by the bounding diagonal. */
+/** Attributes as lengths divided by the diagonal, so that their errors can be added to geometric ones. */
 export interface CostAttributes {
   /** values[dimension * wedge + d] */
   values: Float32Array;
   dimension: number;
-  /** how many of the fields of poses, the last ones, count across the surface alone; each has three dimensions */
+  /** how many of the last pose fields count only across the surface; each has three dimensions */
   displacementFields: number;
-  /** per triangle: the factor on what errors of texture coordinates cost; empty: 1 */
+  /** per triangle: the factor on the cost of errors in texture coordinates; empty: 1 */
   textureWeights: Float32Array;
 }
 
-/** The most numbers per wedge that the core takes. */
+/** The most values per wedge that the core accepts. */
 export const MOST_COST_DIMENSIONS = 8;
-/** The length that a step from black to white counts as, over the diagonal. */
+/** The length, over the diagonal, that a step from black to white counts as. */
 const COLOUR_LENGTH = 0.05;
 
 /**

@@ -9,7 +9,7 @@ export interface HealthNote {
   /** `fact`: good to know; `repaired`: something was corrected or set aside; `limit`: something cannot work fully */
   kind: 'fact' | 'repaired' | 'limit';
   text: string;
-  /** what becomes of it in a result, in words that follow `text`; absent where there is nothing to say */
+  /** what happens to it in a result, in words that follow `text`; absent where there is nothing to say */
   fate?: string;
 }
 
@@ -65,10 +65,10 @@ export function describeFailedModes(name: string, modes: ModeSet | null): string
   return [`${which} is reduced by shape and triangle quality alone, for its modes failed: ${why}`];
 }
 
-/** Larger residuals are reported. */
+/** Larger residuals |K phi - lambda M phi| / (lambda |M phi|) are reported. */
 const GOOD_RESIDUAL = 1e-7;
 
-/** One clause each on a coarse copy that modes were solved on, or on large residuals. */
+/** A clause on the coarse copy that modes were solved on, or on large residuals; empty if there is nothing to say. */
 export function describeSolve(modes: { residual: number }[], coarseVertices: number): Note[] {
   if (coarseVertices === 0) return describeResiduals(modes).map((clause) => [clause]);
   const copy = `a copy with ${counted(coarseVertices, 'vertex', 'vertices')}`;

@@ -1,6 +1,6 @@
-/** Classes of corners of which some turn out to be one. */
+/** Classes of corners that can be joined. */
 
-/** Corners with equal numbers are alike. */
+/** A partition of corners: corners with equal numbers are in one class. */
 export interface Classes {
   /** per corner, below `count` */
   wedges: Uint32Array;

@@ -4,7 +4,7 @@ import type { Document } from '@gltf-transform/core';
 import type { Body } from '../document/model';
 import type { PosedPositions } from './skinning';
 
-/** At most so many are looked at, those that move vertices the most, and together they have at most so many coordinates. */
+/** Limits on the morph targets that are used, those that move vertices the most: their number, and their coordinates in all. */
 const MOST_TARGETS = 64;
 const MOST_COORDINATES = 2 ** 24;
 
@@ -22,7 +22,7 @@ export function posesOfTargets(document: Document, body: Body): PosedPositions[]
     .map(({ target }) => morphed(document, body, target));
 }
 
-/** The sum of the squared displacements of a target. */
+/** The sum of the squared displacements of a target, in squared units of the mesh. */
 function moveOf(document: Document, body: Body, target: number): number {
   let sum = 0;
   forEachDisplacement(document, body, target, (_vertex, [x, y, z]) => (sum += x * x + y * y + z * z));

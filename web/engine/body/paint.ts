@@ -42,7 +42,7 @@ export function unweldLevels(welded: Levels, vertexOfSource: Uint32Array): Level
 export const keepOfLevels = (levels: Levels): Float32Array =>
   Float32Array.from(levels, (level) => Math.min(level, STRONGEST) / STRONGEST);
 
-/** The vertices that stay as they are, ascending. */
+/** The locked vertices, ascending. */
 export function lockedIn(levels: Levels): number[] {
   const locked: number[] = [];
   levels.forEach((level, vertex) => {

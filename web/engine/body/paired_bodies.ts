@@ -9,8 +9,8 @@ import { chosenBodies } from './selection';
 import type { SelectionSettings } from './selection';
 
 /**
- * The other model with its chosen bodies alone, each at the place of its partner in the original: by name where both have the same
- * names, each once, otherwise by the order of their files. A body that its node scales or moves otherwise, as one of integers is, comes
+ * The other model with only its chosen bodies, each at the index of its partner in the original: by name where both have the same
+ * names, each once, otherwise by the order of their files. A body that its node scales or moves differently, as with quantized positions, comes
  * into the space of the original's mesh where that brings the two clearly nearer. Nothing is paired where the numbers differ. Throws an
  * Error where the settings choose no body of a model.
  */
@@ -38,7 +38,7 @@ function partnersByName(originals: Body[], others: Body[]): Body[] | null {
 }
 
 /**
- * The body in the space of the original, to which the matrix leads; as it is where its shape would not survive, or where it is there
+ * The body in the space of the original, into which the matrix maps; unchanged where the matrix would distort it, or where it is there
  * already.
  */
 function inSpaceOf(original: Body, body: Body, between: Matrix): Body {

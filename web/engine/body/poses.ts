@@ -1,10 +1,10 @@
 /**
  * How the animations of a file bend a skinned body, and its morph targets any body, as few fields over its vertices that can count in
- * the error of a collapse.
+ * the error of a collapse. `Rest` is the rest pose.
  *
- * The error that a collapse leaves in a pose is that at rest and that of interpolating the pose's displacements. What is affine in
- * the displacements of a pose costs nothing, so it is taken off. The rest of the poses of animations is summed up in its principal
- * fields (proper orthogonal decomposition: Sirovich 1987): the squares of the fields, each with its amplitude, add up to the mean over
+ * The error of a collapse in a pose is the error at rest plus that of interpolating the pose's displacements. What is affine in
+ * the displacements of a pose costs nothing, so it is subtracted. The remainder of the poses of animations is reduced to its principal
+ * fields (proper orthogonal decomposition: Sirovich 1987): the squares of the fields, scaled by their amplitudes, add up to the mean over
  * the poses as well as so few fields can. Morph targets are many and move few vertices each, so theirs are mixtures; see `mixtures`.
  */
 
@@ -51,7 +51,7 @@ function weldedPose(posed: Float64Array, { vertexOfSource, mesh }: WeldResult): 
   return welded;
 }
 
-/** What is left of a pose, at the size that the body has at rest, without its best affine image of the rest; about its middle. */
+/** A pose about its middle, without its best affine approximation from the rest pose, scaled to the size of the body at rest. */
 function bendingOf(rest: Float64Array, pose: Float64Array): Float64Array {
   const [from, to] = [aboutMiddle(rest), aboutMiddle(pose)];
   const scale = Math.sqrt(squares(from) / Math.max(squares(to), Number.MIN_VALUE));
@@ -136,7 +136,7 @@ function product(a: Float64Array, b: Float64Array): number {
   return total;
 }
 
-/** The mean square of a weight of a morph target, where all from 0 to 1 are equally likely. */
+/** The mean square of a morph target's weight that is uniformly distributed in [0, 1]. */
 const MEAN_SQUARE_WEIGHT = 1 / 3;
 
 /**
@@ -161,7 +161,7 @@ function mixtures(poses: Float64Array[], count: number): Float64Array[] {
   });
 }
 
-/** The displacement of vertex v in the pose that moves it most, over the root of the sum of the squares in all. */
+/** The largest displacement of vertex v in any pose, over the root of the sum of squares over all poses. */
 function shareOfMost(poses: Float64Array[], v: number): number {
   let [most, sum] = [0, 0];
   for (const pose of poses) {
@@ -172,7 +172,7 @@ function shareOfMost(poses: Float64Array[], v: number): number {
   return sum > 0 ? Math.sqrt(most / sum) : 0;
 }
 
-/** Whether the number has an odd number of ones as binary: the signs are those of Hadamard's matrices. */
+/** Whether the binary form of the number has an odd number of ones: such signs are those of Hadamard matrices. */
 function isOdd(number: number): boolean {
   let ones = 0;
   for (let rest = number; rest > 0; rest >>= 1) ones += rest & 1;

@@ -28,13 +28,13 @@ export interface PreparedBody extends InspectedBody {
   attributes: BodyAttributes;
   /** the faces of the body on each triangle of `mesh` */
   layers: Layers;
-  /** points of its surface at which distances are measured, besides its vertices; 0: as the core finds right for a single body */
+  /** number of surface points, besides the vertices, at which distances are measured; 0: the core's default for a single body */
   samples: number;
   /** present where a symmetry is asked for; `partners` are those of `mesh`, whose quads are already cut as `corners` ask */
   images?: MirrorImages;
 }
 
-/** What a material needs to know of a body. */
+/** The size of a body, for materials. */
 export interface BodySize {
   /** `scale`: units of the file per unit of the mesh */
   body: { scale: number };

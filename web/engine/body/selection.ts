@@ -1,4 +1,4 @@
-/** Which bodies of a file are worked on; all others stay as they are. */
+/** Which bodies of a file are worked on; all others are left unchanged. */
 
 import type { Body, OpenModel } from '../document/model';
 import { matchesPattern } from '../settings/name_pattern';

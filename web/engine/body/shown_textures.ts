@@ -1,4 +1,4 @@
-/** What the texture coordinates of a material's faces show. */
+/** The textures that a material shows through its texture coordinates. */
 
 import type { Document, Material, Texture, TextureInfo } from '@gltf-transform/core';
 import type { Transform } from '@gltf-transform/extensions';
@@ -7,16 +7,16 @@ import type { Pixels } from '../document/textures/png';
 
 export interface ShownTexture {
   pixels: Pixels;
-  /** whether its alpha shows */
+  /** whether its alpha channel is visible: the material blends or masks */
   isCut: boolean;
-  /** in texture coordinates: (u, v) is seen at scale * (u, v) + offset */
+  /** in texture coordinates: (u, v) shows the texture at scale * (u, v) + offset */
   scale: [number, number];
   offset: [number, number];
 }
 
 /**
- * The pictures that a material shows through TEXCOORD_0; null where there are none, or one that cannot be looked at: see `pixelsOf`;
- * or turned, or of an extension.
+ * The textures that a material shows through TEXCOORD_0; null where there are none, or one of them cannot be decoded (see `pixelsOf`),
+ * is rotated, or belongs to an extension.
  */
 export function texturesShownBy(document: Document, material: Material | null): ShownTexture[] | null {
   if (!material || hasForeignTexture(material)) return null;
@@ -52,7 +52,7 @@ function hasForeignTexture(material: Material): boolean {
     .some((extension) => graph.listChildren(extension).some((child) => child.propertyType === 'Texture'));
 }
 
-/** Null where the texture is turned: sines differ between JavaScript engines. */
+/** Null where the texture is rotated: sines differ between JavaScript engines. */
 function transformOf(info: TextureInfo): Pick<ShownTexture, 'scale' | 'offset'> | null {
   const transform = info.getExtension<Transform>('KHR_texture_transform');
   if (!transform) return { scale: [1, 1], offset: [0, 0] };

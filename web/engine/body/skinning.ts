@@ -8,9 +8,9 @@ type Matrix = number[];
 /** Positions of a body's vertices, positions[3 v + c], in the space of the scene. */
 export type PosedPositions = Float64Array;
 
-/** Of one animation, at times that divide it evenly. */
+/** Poses of one animation, at evenly spaced times. */
 const POSES_PER_ANIMATION = 8;
-/** In all; each of many animations gives fewer. */
+/** Poses in all; with many animations each gives fewer. */
 const MOST_POSES = 64;
 
 /** The body in poses of all animations that move its skeleton; none where it has no skin. Deterministic. */
@@ -136,7 +136,7 @@ function skinned(primitives: Primitive[], body: Body, matrices: Matrix[]): Posed
   return posed;
 }
 
-/** Adds a share of a point's image under a matrix to posed[to, to + 3). */
+/** Adds the weighted image of a point under a matrix to posed[to, to + 3). */
 function addMoved(
   posed: Float64Array,
   to: number,

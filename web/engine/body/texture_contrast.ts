@@ -1,4 +1,4 @@
-/** How much a texture coordinate that is off shows: how steeply the colours of textures change along the surface. */
+/** How visible an error in texture coordinates is: how steeply the colours of textures change along the surface. */
 
 import type { Document } from '@gltf-transform/core';
 import { length3 } from '../core/exact_math';
@@ -7,10 +7,10 @@ import type { Entries } from './attributes';
 import { texturesShownBy } from './shown_textures';
 import type { ShownTexture } from './shown_textures';
 
-/** How many points of all triangles are looked at, and of one triangle along an edge, at most. */
+/** The most sample points on all triangles, and along an edge of one triangle. */
 const MOST_SAMPLES = 1 << 17;
 const MOST_ALONG_EDGE = 16;
-/** Of each texture: red, green, blue, and alpha where it cuts the surface out. */
+/** Channels of each texture: red, green, blue, and alpha where it is visible. */
 const CHANNELS = 4;
 /** A step from black to white changes three channels, one of alpha as much by itself. */
 const SQUARE_OF_STEP = 3;
@@ -25,11 +25,11 @@ export interface TexturedMesh {
 }
 
 /**
- * Per triangle, in [0, 1]: the factor on the square of an error of its texture coordinates; null where no picture can be looked at.
+ * Per triangle, in [0, 1]: the factor on the squared error of its texture coordinates; null where no texture can be decoded.
  *
  * It is the mean square of the slope of colours around the triangle, in steps from black to white per `stepLength`, and 1 where that is
  * more or not known. The slope is the spread of colours over that of positions, on the triangles at the three vertices: so what lies
- * beside a piece of texture in its picture does not count, and what lies on the other side of a seam does.
+ * beside an island of the texture atlas does not count, but what lies on the other side of a seam does.
  */
 export function textureWeights(
   { primitives, spanOfTriangle }: Pick<Entries, 'primitives' | 'spanOfTriangle'>,
@@ -57,7 +57,7 @@ export function textureWeights(
   });
 }
 
-/** Sums over triangles, each by its area: 1, colours, the square of these, positions, the square of these. */
+/** Area-weighted sums over triangles of 1, colours, squared colours, positions and squared positions. */
 class Moments {
   /** of one triangle */
   readonly sums: Float64Array;
@@ -80,7 +80,7 @@ class Moments {
     for (let i = 0, at = sums.length * vertex; i < sums.length; ++i) ofVertices[at + i] += sums[i];
   }
 
-  /** The variances; one of colours is 0 where they differ by no more than rounding. */
+  /** The variances; that of colours is 0 where they differ by rounding alone. */
   spreadAround(vertices: Uint32Array): { colours: number; positions: number } {
     const { sums, ofVertices } = this;
     sums.fill(0);
@@ -99,7 +99,7 @@ class Moments {
   }
 }
 
-/** Looks at triangles. */
+/** Samples textures on triangles. */
 class Sampler {
   private readonly mostAlongEdge: number;
   /** of the corners of a triangle, in pixels */
@@ -133,7 +133,7 @@ class Sampler {
     }
   }
 
-  /** At the middles of n^2 equal parts of the triangle, whose edges are about a pixel long if there are few of them. */
+  /** Samples at the centroids of n^2 equal parts of the triangle; their edges are about a pixel long unless that takes too many. */
   private addColours(texture: ShownTexture, first: number): void {
     const [[px, qx, rx], [py, qy, ry]] = [this.x, this.y];
     const longest = Math.max(spreadOf(px, qx, rx), spreadOf(py, qy, ry));
@@ -164,7 +164,7 @@ class Sampler {
     }
   }
 
-  /** The area, and the integrals of the place and its square. */
+  /** Adds the area, and the integrals of the position and its square. */
   private addPositions(t: number): void {
     const { positions, triangles } = this.textured.mesh;
     const { sums, positions: first } = this.moments;
@@ -184,7 +184,7 @@ class Sampler {
 
 const spreadOf = (a: number, b: number, c: number): number => Math.max(a, b, c) - Math.min(a, b, c);
 
-/** The picture repeats. */
+/** The index in [0, size) of a coordinate of a repeating texture. */
 function wrapped(value: number, size: number): number {
   const rest = Math.floor(value) % size;
   return rest < 0 ? rest + size : rest;

@@ -25,7 +25,7 @@ export function inverse(m: Matrix): number[] {
   return [...column(0), ...column(1), ...column(2), ...moved, 1];
 }
 
-/** Whether it keeps angles, up to `tolerance`: it turns, mirrors, moves, and scales all axes alike. */
+/** Whether the map keeps angles, up to `tolerance`: a rotation, reflection, translation and uniform scale. */
 export function isSimilarity(m: Matrix, tolerance = 1e-3): boolean {
   const axes = axesOf(m);
   const lengths = axes.map(([x, y, z]) => length3(x, y, z));
@@ -36,7 +36,7 @@ export function isSimilarity(m: Matrix, tolerance = 1e-3): boolean {
   return [dot(x, y), dot(y, z), dot(z, x)].every((value) => Math.abs(value) <= most);
 }
 
-/** How much longer a similarity makes lengths. */
+/** The scale factor of a similarity. */
 export const scaleOf = (m: Matrix): number => length3(m[0], m[1], m[2]);
 
 /** positions[3 v + c] under the map, rounded to 32 bits. */
@@ -49,5 +49,5 @@ export function transformed(positions: Float32Array, m: Matrix): Float32Array {
   return result;
 }
 
-/** The images of the axes. */
+/** The images of the axes: the first three columns. */
 const axesOf = (m: Matrix): Vector[] => [0, 4, 8].map((at) => [m[at], m[at + 1], m[at + 2]]);

@@ -1,8 +1,8 @@
-/** Members of groups that are found again by what they are like, such as the distinct corners at each vertex. */
+/** Distinct members of groups, found by value, such as the distinct corners at each vertex. */
 
 import { NONE } from './core';
 
-/** Groups are short but for those of vertices in which very many faces meet: these are looked through by hashes. */
+/** Longer groups are searched by hashes; they are rare, as at vertices in which very many faces meet. */
 const LONG = 32;
 
 /** The last member of each group; undefined or NONE where it has none. */
@@ -22,7 +22,7 @@ export class AlikeMembers {
     private readonly last: LastMembers = new Map<number, number>(),
   ) {}
 
-  /** The member of a group of which `isSame` is true; NONE without one. `hash`: of what is looked for. */
+  /** The member of a group for which `isSame` is true; NONE without one. `hash`: that of the wanted value. */
   find(group: number, isSame: (member: number) => boolean, hash: () => number): number {
     const byHash = this.hashed.get(group);
     if (byHash) return byHash.get(hash())?.find(isSame) ?? NONE;
@@ -32,7 +32,7 @@ export class AlikeMembers {
     return found;
   }
 
-  /** Adds a member, which `hashOf` has to know, and returns its number: they are counted from 0. */
+  /** Adds a member and returns its number, counted from 0; `hashOf` must know it already. */
   add(group: number): number {
     const member = this.previous.length;
     this.previous.push(this.last.get(group) ?? NONE);
@@ -60,7 +60,7 @@ export class AlikeMembers {
 const number = new Float64Array(1);
 const words = new Uint32Array(number.buffer);
 
-/** A hash with one more number; 0 and -0 are equal. */
+/** Extends a hash by one more number; 0 and -0 give the same hash. */
 export function mixed(hash: number, value: number): number {
   number[0] = value + 0;
   const low = Math.imul(hash ^ words[0], 0x85ebca6b);

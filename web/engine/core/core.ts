@@ -50,7 +50,7 @@ export interface Core
    * progress through `onProgress` only.
    */
   job: Int32Array | null;
-  /** the size of the wasm memory, which never shrinks, in bytes */
+  /** the present size of the wasm memory, in bytes; it never shrinks, so that this is the peak */
   peakHeapBytes(): number;
   /** bytes to which the wasm memory may grow */
   heapLimit: number;

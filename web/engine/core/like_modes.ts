@@ -1,15 +1,15 @@
-/** Which modes of one solution move like those of another one of the same mesh. */
+/** Matches the modes of two solutions of one mesh by their shapes. */
 
 import type { ModeSet } from './core';
 
 type Shapes = Pick<ModeSet, 'shapes' | 'modesPerComponent'>;
 
-/** A modal assurance below this is no likeness: half of the motion is another one. */
+/** Shapes with a lower MAC do not match: half of the motion differs. */
 const LEAST_ALIKE = 0.5;
 
 /**
- * For each of `modes`, numbers from 1 of `before`, the number of the mode of `after` that moves most like it, every vertex counting the
- * same; null where none does. No two become one: the first of them keeps it. Both solutions are of one mesh.
+ * For each of `modes`, numbers from 1 of `before`, the number of the mode of `after` with the highest MAC, every vertex counting the
+ * same; null without a match. No mode of `after` is matched twice: the first one gets it. Both solutions must be of one mesh.
  */
 export function likeModes(before: Shapes, after: Shapes, modes: readonly number[]): (number | null)[] {
   const taken = new Set<number>();

@@ -1,4 +1,4 @@
-/** Loads the WebAssembly core in Node, a browser's worker or a page, and wraps it in its typed interface. */
+/** Loads the WebAssembly core in Node, a web worker or a page, and wraps it in its typed interface. */
 
 import { PHASES } from './core';
 import type { Core, CoreOptions, Progress } from './core';
@@ -48,12 +48,12 @@ export async function loadCore(options: CoreOptions): Promise<Core> {
   return { ...wrapModule(module, threads, options.onProgress), heapLimit };
 }
 
-/** Bytes by which WebAssembly counts memory. */
+/** Bytes of a page of WebAssembly memory. */
 const PAGE = 2 ** 16;
 
 /**
- * A memory that may grow to so many bytes, or to half of them, a quarter and so on where the engine has not as much address
- * space, as on phones. Throws an Error where the core could not start with it.
+ * A memory that may grow to `bytes`, or to half of that, a quarter and so on where the engine lacks the address
+ * space, as on phones. Throws an Error where the core could not start in it.
  */
 function reserveMemory(
   bytes: number,

@@ -3,7 +3,7 @@
 import { excerpt } from './words';
 
 const MEGABYTES = { '': 1, M: 1, G: 1024 };
-/** Bytes of memory without which the core cannot start, as it is linked, and the most that WebAssembly has. */
+/** The bytes of memory that the core is linked to start with, and the most that WebAssembly can have. */
 export const SMALLEST_HEAP = 64 * 2 ** 20;
 export const LARGEST_HEAP = 2 ** 32;
 

@@ -15,7 +15,7 @@ export function coarseVerticesOf({ components }: Pick<ModeSet, 'components'>): n
 
 type NamedModes = Pick<ModeSet, 'modes' | 'components'>;
 
-/** The mode that represents an ordinal: that of the part with most faces, the first of equals; null if there is none. */
+/** The mode that represents an ordinal: that of the part with the most faces, the first of equal ones; null if there is none. */
 export function leadingMode({ modes, components }: NamedModes, ordinal: number): Mode | null {
   const own = modes.filter((mode) => mode.ordinal === ordinal);
   const isLarger = (a: Mode, b: Mode) => {

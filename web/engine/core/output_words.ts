@@ -1,4 +1,4 @@
-/** What can be asked of written files: the words of settings, as documents are written by them. */
+/** The choices of settings that say how files are written. */
 
 /** How vertices are stored; `like-input`: as in the file that was opened. */
 export const COMPRESSIONS = ['like-input', 'none', 'quantized', 'meshopt', 'draco'] as const;

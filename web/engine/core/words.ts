@@ -1,5 +1,5 @@
 /**
- * A whole number as English writes it: "12,345". The tables of languages that `toLocaleString` loads for the first one take as long
+ * A whole number with thousands separators: "12,345". The locale data that `toLocaleString` loads on its first call takes as long
  * as the work on a small mesh.
  */
 export const grouped = (value: number): string => String(value).replace(/\B(?=(\d{3})+$)/g, ',');
@@ -9,7 +9,7 @@ export function counted(count: number, one: string, many = `${one}s`): string {
   return `${grouped(count)} ${count === 1 ? one : many}`;
 }
 
-/** A number beside a limit of it: two digits after the point, or one more than the limit has, which tells the two apart. */
+/** A number to be shown beside its limit: with two decimals, or one more than the limit has, so that the two can be told apart. */
 export function besideLimit(value: number, limit: number): string {
   let digits = 1;
   while (digits < MOST_DIGITS && Number(limit.toFixed(digits)) !== limit) ++digits;
@@ -18,17 +18,17 @@ export function besideLimit(value: number, limit: number): string {
 
 const MOST_DIGITS = 20;
 
-/** Letters of a text from a file that a sentence quotes at most. */
+/** The most characters of a text from a file that a sentence quotes. */
 const QUOTED = 100;
 
-/** A text from a file, as a sentence quotes it: the beginning of one that is long. */
+/** A text from a file as a sentence quotes it, cut if it is long. */
 export function excerpt(text: string): string {
   if (text.length <= QUOTED) return text;
-  // The cut may go through a letter of two code units.
+  // The cut may split a surrogate pair.
   return `${text.slice(0, QUOTED).replace(/[\ud800-\udbff]$/, '')}...`;
 }
 
-/** A value of a program, as a sentence quotes it. */
+/** A value from a program as a sentence quotes it. */
 export function quotedValue(value: unknown): string {
   if (Array.isArray(value)) return excerpt(`[${value.map(quotedEntry).join(', ')}]`);
   return quotedEntry(value);
@@ -41,6 +41,6 @@ function quotedEntry(value: unknown): string {
   return String(value);
 }
 
-/** A value from a file of JSON, as a sentence quotes it. */
+/** A value from a JSON file as a sentence quotes it. */
 export const quotedJson = (value: unknown): string =>
   typeof value === 'string' ? JSON.stringify(excerpt(value)) : excerpt(JSON.stringify(value));

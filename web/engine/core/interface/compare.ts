@@ -40,20 +40,20 @@ export interface ShellModes {
 export interface CompareFunctions {
   /** `samples` of each surface, besides its vertices; 0: ten for each triangle, and at least 10,000 */
   measureSurfaceDistance(a: MeshInput, b: MeshInput, samples: number): SurfaceDistance;
-  /** only hausdorff of measureSurfaceDistance, in a fraction of its time */
+  /** only `hausdorff` of measureSurfaceDistance, in a fraction of the time */
   measureHausdorff(a: MeshInput, b: MeshInput, samples: number): number;
-  /** whether measureHausdorff is at most `limit`, in units of the mesh, in a fraction of its time */
+  /** whether measureHausdorff is at most `limit`, in units of the mesh, in a fraction of the time */
   isWithinHausdorff(a: MeshInput, b: MeshInput, limit: number, samples: number): boolean;
   compareFidelity(original: MeshInput, other: MeshInput, options: FidelityOptions): Fidelity;
   /** the 2 * options.modeCount modes of the original that frequencyErrors needs */
   shellModes(original: MeshInput, options: FidelityOptions): ShellModes;
-  /** only frequencyErrorMean and frequencyErrorMax of compareFidelity, in %, for a sixth of its work */
+  /** only `frequencyErrorMean` and `frequencyErrorMax` of compareFidelity, in %, for a sixth of the work */
   frequencyErrors(
     original: MeshInput,
     modes: ShellModes,
     other: MeshInput,
     options: FidelityOptions,
   ): { mean: number; max: number };
-  /** only calibrationFactor of compareFidelity, in a fraction of its time */
+  /** only `calibrationFactor` of compareFidelity, in a fraction of the time */
   calibrationFactor(original: MeshInput, other: MeshInput, options: FidelityOptions): number;
 }

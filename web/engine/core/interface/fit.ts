@@ -21,21 +21,21 @@ export interface ShapeFitOptions {
   samples?: number;
 }
 
-/** What a fit to the modes needs to know besides; they are those of the body pinned at `pinned`. */
+/** Options of a fit to the modes of the body pinned at `pinned`. */
 export interface FitOptions extends ShapeFitOptions {
   /** of the shell, in units of the mesh; shells half and twice as thick are fitted too */
   thickness: number;
   poisson: number;
 }
 
-/** A result that is nearer to its original. */
+/** A result fitted to the surface of its original. */
 export interface ShapeFitted {
   result: MeshAt;
   /** number of flipped edges */
   flips: number;
 }
 
-/** A result that vibrates like its original, and the RMS frequency error (%) of each fitted part. */
+/** A result fitted to the modes of its original, and the RMS frequency error (%) of each fitted part. */
 export interface Fitted extends ShapeFitted {
   errorBefore: Float64Array;
   errorAfter: Float64Array;

@@ -16,8 +16,8 @@ export type ParallelName = keyof ParallelFunctions;
 /** The functions of the core on this topic. */
 export interface ParallelCallFunctions {
   /**
-   * Calls the function once for each list of arguments. Results are the same as of single calls; where one of these would throw an
-   * Error, it is in its place.
+   * Calls the function once for each list of arguments. Results are those of single calls; where a call would throw an
+   * Error, that Error is returned instead of its result.
    */
   callAll<Name extends ParallelName>(
     name: Name,

@@ -26,7 +26,7 @@ export interface SimplifyConstraints {
   textureWeights?: Float32Array;
   /** 1 to ATTRIBUTE_LIMIT */
   attributeDimension?: number;
-  /** the last 3 * displacementFields attributes are coordinates of displacements: only what lies across the surface counts */
+  /** the last 3 * displacementFields attributes are coordinates of displacements: only their component across the surface counts */
   displacementFields?: number;
   /** per vertex: its mirror image, on the plane of symmetry the vertex itself; both sides collapse together */
   mirror?: Uint32Array;
@@ -53,7 +53,7 @@ export interface SimplifyOptions {
   minAngle?: number;
   /** whether the history gets `errors` */
   recordErrors?: boolean;
-  /** collapses that are estimated to go farther from the input than this are deferred until no other is left, then it doubles; units of the mesh; 0: none is deferred */
+  /** collapses that are estimated to go farther from the input than this are deferred until no other is left, then this limit doubles; units of the mesh; 0: none is deferred */
   deferBeyond?: number;
   constraints?: SimplifyConstraints;
 }

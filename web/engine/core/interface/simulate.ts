@@ -30,17 +30,17 @@ export interface CollisionScene {
 export interface SimulatedSolver {
   model: SolverModel;
   constants: SolverConstants;
-  /** per stretch constraint; left out: 1 */
+  /** per stretch constraint; absent: 1 */
   stretchFactors?: Float64Array;
-  /** per bending constraint; left out: 1; never for 'morley' */
+  /** per bending constraint; absent: 1; never for 'morley' */
   bendFactors?: Float64Array;
-  /** per vertex, kg; left out: by the rule of the model */
+  /** per vertex, kg; absent: by the mass rule of the model */
   masses?: Float64Array;
 }
 
 export interface SimulationOptions extends ElasticMaterial, Partial<CollisionScene> {
   material: SimulationModel;
-  /** of this body, instead of `material`; left out or null: none */
+  /** the solver of this body, used instead of `material`; absent or null: none */
   solver?: SimulatedSolver | null;
   /** what happens; see wasm/simulate/scenario.h */
   scenario: ScenarioName;
@@ -68,7 +68,7 @@ export interface StartOptions extends SimulationOptions {
 }
 
 export interface ComparisonOptions {
-  /** of the other body, where the original has a solver; left out or null: the original's without factors and masses */
+  /** the solver of the other body, if the original has one; absent or null: the original's without factors and masses */
   otherSolver?: SimulatedSolver | null;
   /** whether the substeps are doubled until the original has converged; false by default */
   doublesSubsteps?: boolean;

@@ -28,9 +28,9 @@ export interface SolverConstants {
 
 export interface TuneOptions {
   model: SolverModel;
-  /** the constants that the user's own parameters amount to on the original */
+  /** the constants that follow from the user's own parameters on the original */
   original: SolverConstants;
-  /** and on the coarse mesh, untouched: the same parameters typed in again */
+  /** the constants of the untouched coarse mesh: from the same parameters, typed in again */
   result: SolverConstants;
   /** vertices of the original and of the coarse mesh; both may be empty */
   pinnedOriginal: Uint32Array;
@@ -43,19 +43,19 @@ export interface TuneOptions {
 }
 
 /**
- * Whether a body has the frequencies that are tuned: motions other than rigid ones may meet no resistance in the solver, or no search
- * for modes converges, which says nothing of how the body bends.
+ * Whether the frequencies to tune exist: deformations may meet no resistance in the solver, or no search
+ * for modes converges, which says nothing about how the body bends.
  */
 export type FrequencyStatus = 'found' | 'noResistance' | 'noConvergence';
 
-/** Of the tuned parameters, kept or not; NaN where the body has no such modes, as a flat sheet of springs. */
+/** Errors with the tuned parameters, whether these are kept or not; NaN where the body has no such modes, like a flat sheet of springs. */
 export interface TunedFrequencies {
   /** mean relative errors (%) of modes 1 to 10, free */
   errorUntouched: number;
   errorTuned: number;
   /** of modes 21 to 30, tuned */
   errorUnseen: number;
-  /** of modes 1 to 10 of a clamping that was not fitted, tuned */
+  /** of modes 1 to 10 under a clamping that was not tuned for, tuned */
   errorOtherPins: number;
 }
 
@@ -70,7 +70,7 @@ export interface TunedMotion {
 }
 
 export interface Tuned {
-  /** factors on the constants `result` of the options: 1 and 1 where untouched is kept */
+  /** factors on the constants `result` of the options: both 1 where the untouched parameters are kept */
   stretchFactor: number;
   bendFactor: number;
   /** tune 'vertex': per vertex, mean about 1; else empty */
@@ -89,12 +89,12 @@ export interface Tuned {
   frequencyStatus: FrequencyStatus;
   /** null where `runsTrial` is false */
   motion: TunedMotion | null;
-  /** why there is no `motion` although it was asked for, as a clause; else empty */
+  /** why `motion` is null although a trial was requested, as a clause; otherwise empty */
   motionRefusal: string;
 }
 
 /** The functions of the core on this topic. */
 export interface TuneFunctions {
-  /** Both meshes are welded and in the same place; throws with a sentence where they do not belong together. */
+  /** Both meshes must be welded and in the same space; throws an Error with one sentence where they do not belong together. */
   tuneSolver(original: MeshInput, result: MeshInput, options: TuneOptions): Tuned;
 }
