@@ -30,7 +30,7 @@ export function emptyLike(array: Values, length: number): Values {
   return new kept(length) as Values;
 }
 
-/** The value of the stored number 1: 1 itself, or 1 / 255 and the like for normalized integers. */
+/** The value that the stored number 1 stands for: 1 itself, or 1 / 255 and the like for normalized integers. */
 export function unitOf(accessor: Accessor): number {
   return accessor.getNormalized() ? 1 / (ONE[accessor.getArray()!.constructor.name] ?? 1) : 1;
 }

@@ -27,8 +27,8 @@ interface Gathering {
 }
 
 /**
- * The bodies, and notes on meshes without triangles. `most`: vertices, and corners, that all bodies together may have: meshes
- * that share their data could ask for any number. Throws an Error if data are broken, which names the mesh and primitive.
+ * The bodies, and notes on meshes without triangles. `most`: the most vertices, and the most corners, of all bodies together: meshes
+ * that share their data could ask for any number. Throws an Error that names the mesh and primitive if data are broken.
  */
 export function bodiesOfDocument(
   file: string,
@@ -39,12 +39,12 @@ export function bodiesOfDocument(
   const without: { name: string; reasons: string }[] = [];
   const nodes = firstNodes(document);
   const repeated = repeatedNames(document);
-  const room = { file, left: most };
+  const budget = { file, left: most };
   for (const [number, mesh] of document.getRoot().listMeshes().entries()) {
     const node = nodes.get(mesh);
     const ofNode = node?.getName() ?? '';
     const name = (repeated.has(mesh.getName()) && ofNode) || mesh.getName() || ofNode || `mesh ${number}`;
-    const gathering = gather(room, name, mesh);
+    const gathering = gather(budget, name, mesh);
     const bodyNotes = skippedNotes(gathering.skipped);
     if (gathering.indices.length === 0) {
       without.push({ name, reasons: bodyNotes.join(', ') });
@@ -62,7 +62,7 @@ export function bodiesOfDocument(
   return { bodies, notes: describeWithout(without) };
 }
 
-/** The names that several meshes have, as copies of an object often do: only their nodes tell these apart. */
+/** Names that several meshes share, as copies of an object often do: only their nodes tell them apart. */
 function repeatedNames(document: Document): Set<string> {
   const [seen, repeated] = [new Set<string>(), new Set<string>()];
   for (const mesh of document.getRoot().listMeshes()) {
@@ -88,8 +88,8 @@ function describeWithout(meshes: { name: string; reasons: string }[]): string[] 
   });
 }
 
-/** Takes what it gathers from the `room` of the file. */
-function gather(room: { file: string; left: number }, name: string, mesh: Mesh): Gathering {
+/** Gathers the primitives of a mesh and subtracts their data from the `budget` of the file. */
+function gather(budget: { file: string; left: number }, name: string, mesh: Mesh): Gathering {
   const gathering: Gathering = {
     positions: new GrowingFloats(),
     indices: new GrowingIndices(),
@@ -103,8 +103,8 @@ function gather(room: { file: string; left: number }, name: string, mesh: Mesh):
     if (mode < TRIANGLES) gathering.skipped[mode < LINES_FROM ? 'points' : 'lines'] += 1;
     else if (!positions?.getArray() || positions.getCount() === 0) gathering.skipped.empty += 1;
     else {
-      takeRoom(room, gathering, primitive, positions);
-      const where = `${room.file}, mesh "${name}", primitive ${number}`;
+      takeFromBudget(budget, gathering, primitive, positions);
+      const where = `${budget.file}, mesh "${name}", primitive ${number}`;
       const firstTriangle = gathering.indices.length / 3;
       const firstVertex = addPositions(gathering, positions, where);
       const vertexCount = positions.getCount();
@@ -116,18 +116,18 @@ function gather(room: { file: string; left: number }, name: string, mesh: Mesh):
   return gathering;
 }
 
-/** Counts what a primitive adds to its body against what the file may have. */
-function takeRoom(
-  room: { file: string; left: number },
+/** Subtracts the data of a primitive from what the file may have. Throws an Error where nothing is left. */
+function takeFromBudget(
+  budget: { file: string; left: number },
   { firstVertex }: Gathering,
   primitive: Primitive,
   positions: Accessor,
 ): void {
   const vertices = firstVertex.has(positions) ? 0 : positions.getCount();
-  room.left -= Math.max(vertices, primitive.getIndices()?.getCount() ?? positions.getCount());
-  if (room.left < 0)
+  budget.left -= Math.max(vertices, primitive.getIndices()?.getCount() ?? positions.getCount());
+  if (budget.left < 0)
     throw new Error(
-      `${room.file} has primitives that repeat its data too often: share meshes between nodes instead.`,
+      `${budget.file} has primitives that repeat its data too often: share meshes between nodes instead.`,
     );
 }
 
@@ -205,7 +205,7 @@ function skippedNotes({ points, lines, empty }: Gathering['skipped']): string[] 
     .map(([count, kind]) => `${counted(count, kind, kind.replace('primitive', 'primitives'))} skipped`);
 }
 
-/** The scale of the mesh of a node. Inverse bind matrices, in 32-bit floats, leave six digits of that of a skinned mesh. */
+/** The scale of the mesh of a node. For a skinned mesh it is exact to six digits only, because inverse bind matrices are 32-bit floats. */
 function scalingOf(node: Node): { scale: number; isEven: boolean } {
   const { scale, isEven } = scaleOf(meshMatrixOf(node));
   return { scale: node.getSkin() ? Number(scale.toPrecision(6)) : scale, isEven };

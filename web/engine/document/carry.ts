@@ -1,4 +1,4 @@
-/** Writes a primitive's attributes and morph targets for new vertices that are interpolated from its old ones. */
+/** Writes a primitive's attributes and morph targets for new vertices by interpolating those of the old ones. */
 
 import type { Accessor, Buffer, Document, Primitive } from '@gltf-transform/core';
 import { length3 } from '../core/exact_math';
@@ -100,7 +100,7 @@ function copyWith({ document, buffer }: Destination, accessor: Accessor, values:
     .setArray(values);
 }
 
-/** Whether a custom attribute has only whole numbers, which are then taken for identifiers. */
+/** Whether a custom attribute has only whole numbers: they are taken for identifiers, which must not be interpolated. */
 function hasNoBetween(semantic: string, accessor: Accessor): boolean {
   return (
     IDENTIFIERS.test(semantic) || (!accessor.getNormalized() && accessor.getArray()!.every(Number.isInteger))

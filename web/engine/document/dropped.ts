@@ -1,4 +1,4 @@
-/** Lists what an export would lose before it is done. */
+/** Lists what an export would lose, before it is made. */
 
 import type { Mesh, Primitive } from '@gltf-transform/core';
 import { counted } from '../core/words';

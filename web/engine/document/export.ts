@@ -35,7 +35,7 @@ export interface ExportedBody {
   mesh: TriangleMesh;
   /** per triangle of `mesh`: the triangle of `body` that it comes from */
   inputOfTriangle: Uint32Array;
-  /** per corner of `mesh`: the point of `body` that its attributes come from; null: the file has nothing but positions there */
+  /** per corner of `mesh`: the point of `body` that its attributes come from; null: the body has nothing but positions */
   sources: CornerSources | null;
   /** edges whose faces meet at a smaller cosine are hard, and changed faces get normals by that; null: normals are carried */
   hardCosine: number | null;
@@ -60,7 +60,7 @@ export interface ExportOptions {
   fields: boolean;
 }
 
-/** What written files name as the program that made them; such files may be replaced without being asked. */
+/** The generator that written files name; such files may be overwritten without asking. */
 export const GENERATOR = `Limber ${VERSION}`;
 /** glTF's primitive mode. */
 const TRIANGLES = 4;
@@ -68,9 +68,9 @@ const TRIANGLES = 4;
 const MANY_VERTICES = 65535;
 
 /**
- * Writes the model with model.bodies[i] replaced by `bodies[i]`; null keeps a body as it is. The model itself does not
+ * Writes the model with model.bodies[i] replaced by `bodies[i]`; null leaves a body unchanged. The model itself does not
  * change. Written positions equal those of the meshes bit for bit. Every attribute and morph target is interpolated from
- * the body at the corners' sources and keeps its component type, but what an earlier run has added is left out. A glTF body
+ * the body at the corners' sources and keeps its component type, but what an earlier run of Limber added is left out. A glTF body
  * without normals gets none, so that viewers shade it flat as before; bodies of other formats get smooth normals, split where
  * faces meet at more than 60 degrees.
  * Faces keep their primitive and hence their material. Hierarchy, skins, animations, names and extras are preserved;
@@ -99,7 +99,7 @@ export async function copyForExport(model: OpenModel): Promise<Destination> {
   return { document, buffer: mergeBuffers(document) };
 }
 
-/** What the JSON of a result has besides its document. */
+/** What the JSON of a result contains beyond its document. */
 export const additionsOf = (model: OpenModel, bodies: (ExportedBody | null)[]): Additions => ({
   ...NO_ADDITIONS,
   foreign: model.foreign ?? null,
@@ -121,8 +121,8 @@ export interface ReplaceOptions extends ExportOptions, Kept {
 }
 
 /**
- * Replaces meshes of the document itself, as `exportGlb` does in its copy; null keeps a body as it is. Returns the primitives that
- * are written anew, each with accessors of its own.
+ * Replaces meshes of the document itself, as `exportGlb` does in its copy; null leaves a body unchanged. Returns the primitives that
+ * are rewritten, each with accessors of its own.
  */
 export function replaceBodies(
   destination: Destination,
@@ -222,7 +222,7 @@ function replaceMesh(
   return written;
 }
 
-/** All primitives of a mesh have the same morph targets: points and lines have such that do not move. */
+/** Adds targets without displacement to points and lines, because all primitives of a mesh must have the same morph targets. */
 function addRestingTargets({ document, buffer }: Destination, mesh: Mesh, targets: MorphTarget[]): void {
   for (const primitive of mesh.listPrimitives()) {
     const positions = primitive.getAttribute('POSITION');

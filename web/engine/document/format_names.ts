@@ -4,7 +4,7 @@ import type { Format } from './model';
 
 const FORMATS: readonly Format[] = ['glb', 'gltf', 'obj', 'stl', 'ply', 'off'];
 
-/** Null where no model has such a name. */
+/** The format that the ending stands for; null for other endings. */
 export function formatOfName(name: string): Format | null {
   const ending = name.toLowerCase().split('.').pop()!;
   return FORMATS.find((format) => format === ending) ?? null;

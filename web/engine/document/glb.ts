@@ -37,11 +37,11 @@ export function glbParts({ name, bytes }: SourceFile): GlbParts {
   return { json, binary: bytes.subarray(start, end) };
 }
 
-/** The sentence for a file of the first version, which no current program reads. */
+/** The error for a file of glTF 1.0, which no current program reads. */
 export const describeFirstVersion = (name: string): string =>
   `${name} is glTF 1.0: convert it to glTF 2.0, as gltf-pipeline does.`;
 
-/** The GLB with other JSON; all that follows the JSON chunk stays byte for byte. */
+/** The GLB with its JSON replaced; everything after the JSON chunk stays byte for byte. */
 export function withJson(glb: Uint8Array, json: object): Uint8Array {
   const old = new DataView(glb.buffer, glb.byteOffset, glb.byteLength);
   const rest = glb.subarray(HEADER_BYTES + old.getUint32(12, true));

@@ -1,4 +1,4 @@
-/** Reads GLB and glTF files into their own document and its bodies. */
+/** Reads GLB and glTF files into a document and its bodies. */
 
 import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
@@ -31,7 +31,7 @@ import { storedIn, withKnownNames } from './write/compression';
 import { markEndless } from './write/endless_cameras';
 
 /**
- * Opens `file` with its companions among `files`; it may have no body. Images that are not there stay references. Throws an
+ * Opens `file` with its companions among `files`; it may have no body. Missing images stay references. Throws an
  * Error with one sentence.
  */
 export async function openGltf(
@@ -43,7 +43,7 @@ export async function openGltf(
   const stored = storedIn(jsonDocument.json);
   const foreign = foreignOf(jsonDocument.json);
   const { json, notes: imageless } = withoutImageless(inBase64(withKnownNames(jsonDocument.json)));
-  // The reader refuses to read what it does not know, even where nothing has to be known of it.
+  // The reader refuses any required extension that it does not know, including those that can be carried over without it.
   const required = json.extensionsRequired?.filter((extension) => SUPPORTED_EXTENSIONS.has(extension));
   checkNodes(file.name, json.nodes);
   const { json: unsheared, notes: sheared } = withoutShear(json);
@@ -116,7 +116,7 @@ function parseText(name: string, text: string): unknown {
   }
 }
 
-/** In the first version, collections were objects and the asset could be left out. */
+/** In glTF 1.0, collections were objects and the asset could be left out. */
 function isFirstVersion(json: object): boolean {
   const { asset, accessors, meshes, nodes } = json as Record<string, unknown>;
   const version = (asset as { version?: unknown } | undefined)?.version;
@@ -134,10 +134,10 @@ export function companionNames(file: SourceFile): string[] {
   return companionPaths(parseJson(file.name, isBinary ? glbParts(file).json : file.bytes));
 }
 
-/** Deeper than any file that is not made to do harm: work on every node grows with its depth. */
+/** The deepest nesting of nodes; only malicious files go deeper, and the work on a node grows with its depth. */
 const DEEPEST = 1000;
 
-/** Refuses a node that is its own descendant, since every traversal would loop forever, and nodes that lie too deep. */
+/** Refuses nodes that are their own descendants, since every traversal would loop forever, and nodes that are nested too deeply. */
 function checkNodes(name: string, nodes: GLTF.INode[] = []): void {
   const parents = new Map<number, number>();
   nodes.forEach(({ children }, parent) => {
@@ -170,7 +170,7 @@ function pathUp(start: number, parents: Map<number, number>, depths: Map<number,
   return [...path];
 }
 
-/** Reads what has been checked; what still goes wrong is told in the words of the validator. */
+/** Reads checked JSON; remaining errors are reported in the words of the validator. */
 async function readDocument(file: SourceFile, jsonDocument: JSONDocument, size: number): Promise<Document> {
   const refuse = (reason: string) =>
     new Error(`${file.name} is not a valid glTF file (${reason}): check it with the glTF validator.`);

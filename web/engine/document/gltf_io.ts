@@ -7,7 +7,7 @@ import { withMeshBoxes } from './write/draco_boxes';
 import type { DracoEncoder } from './write/draco_boxes';
 
 export const MESHOPT = 'EXT_meshopt_compression';
-/** The ratified name of the same format; files of this name are read and written under the other one. */
+/** The ratified name of the same format; files that use it are read and written through the other one. */
 export const RATIFIED_MESHOPT = 'KHR_meshopt_compression';
 export const DRACO = 'KHR_draco_mesh_compression';
 
@@ -16,7 +16,7 @@ export const SUPPORTED_EXTENSIONS = new Set<string>([
   RATIFIED_MESHOPT,
 ]);
 
-/** The logger of every document that we read or make, and of its copies: our own words are the only ones on the console. */
+/** The logger of every document that is read or made, and of its copies: only Limber's own messages go to the console. */
 export const SILENT = new Logger(Logger.Verbosity.SILENT);
 
 const plainIo = (): WebIO => new WebIO().setLogger(SILENT).registerExtensions(ALL_EXTENSIONS);
@@ -51,10 +51,10 @@ export async function createGltfWriter(document: Document, keepsCorners = false)
 
 type MeshoptEncoder = Awaited<ReturnType<typeof loadMeshoptEncoder>>;
 
-/** meshopt's modes of lists of vertices: triangles come back with their corners turned, other lists as they were. */
+/** meshopt's modes for index lists: in triangles the corners may come back rotated, other lists come back unchanged. */
 export const [TRIANGLES_MODE, INDICES_MODE] = ['TRIANGLES', 'INDICES'];
 
-/** An encoder that packs triangles as lists of vertices. What names the mode in the JSON has to say so, too. */
+/** An encoder that packs triangles in the mode of index sequences. The mode in the JSON has to be changed to match. */
 const packedInOrder = (encoder: MeshoptEncoder): MeshoptEncoder => ({
   ...encoder,
   encodeGltfBuffer: (source, count, size, ...[mode, ...others]) =>

@@ -1,6 +1,6 @@
 /** Typed arrays that grow by doubling, for readers that do not know the count in advance. */
 
-/** Small, since a file may have a hundred thousand objects. */
+/** The initial capacity: small, since a file may have a hundred thousand objects. */
 const START = 16;
 
 export class GrowingFloats {

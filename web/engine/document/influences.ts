@@ -38,7 +38,7 @@ export function mergeInfluences(
   sources: VertexSources,
 ): InfluenceSet<Values>[] {
   const count = sources.vertices.length / 3;
-  // Any influence can come into any set, so that all sets have one type.
+  // Any influence can end up in any set, so all sets get one type.
   const joints = widestOf(sets.map((set) => set.joints.getArray()!));
   const weights = hasOneType(sets) ? sets[0].weights.getArray()! : new Float32Array();
   const merged = sets.map(() => ({

@@ -31,7 +31,7 @@ export interface Body {
   indices: Uint32Array;
   /** per triangle: 1 if its quad is cut along the other diagonal than in the file; absent if none is */
   recut?: Uint8Array;
-  /** what the reader did to it, in plain words */
+  /** what the reader changed in it, in words for the user */
   notes: string[];
   /** its index among the document's meshes */
   mesh: number;
@@ -41,13 +41,13 @@ export interface Body {
    * ignores the node; the mean of the axes if not uniform
    */
   scale: number;
-  /** absent where the scale is the same along all axes */
+  /** absent where the scale is uniform */
   isScaledUnevenly?: true;
   /** of a body that was brought into the space of another mesh; absent: its positions are those of the file */
   own?: OwnSpace;
 }
 
-/** The space of a mesh of the file, which its body has left. */
+/** The original space of a mesh whose body was moved to another one. */
 export interface OwnSpace {
   /** positions[3 * v + c] of the file */
   positions: Float32Array;
@@ -61,17 +61,17 @@ export interface OpenModel {
   format: Format;
   document: Document;
   bodies: Body[];
-  /** notes on the file as a whole, in plain words */
+  /** notes on the file as a whole, in words for the user */
   notes: string[];
-  /** content that the reader could not take into the document, in plain words: "UV coordinates" */
+  /** content that the document cannot hold, in words for the user: "UV coordinates" */
   unread: string[];
   /** whether its meshes are levels of detail of each other; absent: they are not */
   hasLevels?: true;
   /** how its vertices were stored; absent: plainly */
   stored?: Stored;
-  /** extensions that its document does not have; null or absent: none */
+  /** extensions that its document cannot hold; null or absent: none */
   foreign?: Foreign | null;
-  /** names of the material libraries of an OBJ, which a written OBJ names again */
+  /** names of the material libraries of an OBJ, which a written OBJ refers to again */
   libraries?: string[];
   /** these libraries and their pictures, under their paths from the folder of the OBJ: they are written beside a written OBJ */
   carried?: SourceFile[];

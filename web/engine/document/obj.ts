@@ -49,8 +49,8 @@ interface Reading {
   linesAndPoints: number;
   /** the highest vertex number that a face named before its vertex line, and the line of that face */
   ahead: { vertex: number; line: number } | null;
-  /** the first unknown line, and the number of unknown lines */
-  stranger: { text: string; line: number; count: number } | null;
+  /** the first unknown line, and the number of all unknown lines */
+  unknownLines: { text: string; line: number; count: number } | null;
 }
 
 /** Throws an Error that names the line. Weights after the coordinates are skipped. */
@@ -97,7 +97,7 @@ function startReading(file: SourceFile): Reading {
     libraries: [],
     linesAndPoints: 0,
     ahead: null,
-    stranger: null,
+    unknownLines: null,
   };
 }
 
@@ -116,7 +116,7 @@ function readVertex({ scan, positions, colours }: Reading): void {
   if (!Number.isFinite(x + y + z)) scan.fail('a coordinate is too large for a 32-bit number');
   positions.push3(x, y, z);
   if (!scan.seekWord()) return;
-  // A single number is a weight.
+  // A single number after the coordinates is a weight.
   const [red, green, blue] = [scan.numberOrNaN(), scan.numberOrNaN(), scan.numberOrNaN()];
   if (Number.isNaN(blue)) return;
   while (colours.length < positions.length - 3) colours.push3(NaN, NaN, NaN);
@@ -150,7 +150,7 @@ function partOf({ parts }: ObjectFaces, material: string): ObjCorners {
   return part;
 }
 
-/** Index triples into `corners`. If vertices come after their faces, the shape is unknown and polygons become fans. */
+/** Index triples into `corners`. If vertices come after their faces, their positions are not known yet and polygons become fans. */
 function trianglesOf(corners: FaceCorner[], { scan, ahead, positions }: Reading): number[] {
   if (corners.length === 3) return [0, 1, 2];
   const numbers = corners.map((_, i) => i);
@@ -185,7 +185,7 @@ function readCorner(reading: Reading): FaceCorner {
   return { vertex: number > 0 ? number - 1 : count + number, uv, normal };
 }
 
-/** Reads a slash and the number of a UV or normal; `count` were read so far. Returns NONE if it names none. */
+/** Reads a slash and the number of a UV or normal, of which `count` were read so far. Returns NONE if there is no number. */
 function readReference(scan: TextScanner, count: number): number {
   if (scan.peek() !== SLASH) return NONE;
   scan.at += 1;
@@ -197,22 +197,22 @@ function readReference(scan: TextScanner, count: number): number {
 function readOther(reading: Reading, word: string): void {
   if (LINES_AND_POINTS.has(word)) reading.linesAndPoints += 1;
   else if (!KNOWN.has(word) && !word.startsWith('#')) {
-    const { scan, stranger } = reading;
-    if (stranger) stranger.count += 1;
-    else reading.stranger = { text: `${word} ${scan.rest()}`.trim(), line: scan.line, count: 1 };
+    const { scan, unknownLines } = reading;
+    if (unknownLines) unknownLines.count += 1;
+    else reading.unknownLines = { text: `${word} ${scan.rest()}`.trim(), line: scan.line, count: 1 };
   }
 }
 
-function checkReading(name: string, { positions, ahead, stranger }: Reading, objectCount: number): void {
+function checkReading(name: string, { positions, ahead, unknownLines }: Reading, objectCount: number): void {
   const count = positions.length / 3;
   if (ahead && ahead.vertex > count)
     throw new Error(
       `${name}, line ${ahead.line}: a face names vertex ${ahead.vertex}, but the file has ${count}: export it again.`,
     );
   if (objectCount > 0) return;
-  if (stranger)
+  if (unknownLines)
     throw new Error(
-      `${name}, line ${stranger.line}: "${excerpt(stranger.text)}" is not OBJ, and the file has no faces: is it a mesh?`,
+      `${name}, line ${unknownLines.line}: "${excerpt(unknownLines.text)}" is not OBJ, and the file has no faces: is it a mesh?`,
     );
   const what = count > 0 ? `${counted(count, 'vertex', 'vertices')} but no faces` : 'no faces';
   throw new Error(`${name} has ${what}: export it as a mesh with faces.`);
@@ -263,11 +263,13 @@ function pick(values: Float32Array, which: Uint32Array, size: number): Float32Ar
   return picked;
 }
 
-function notesOf({ linesAndPoints, stranger }: Reading): string[] {
+function notesOf({ linesAndPoints, unknownLines }: Reading): string[] {
   const notes: string[] = [];
   if (linesAndPoints > 0)
     notes.push(`${counted(linesAndPoints, 'line or point', 'lines and points')} skipped`);
-  if (stranger)
-    notes.push(`${counted(stranger.count, 'unknown line')} skipped, the first is line ${stranger.line}`);
+  if (unknownLines)
+    notes.push(
+      `${counted(unknownLines.count, 'unknown line')} skipped, the first is line ${unknownLines.line}`,
+    );
   return notes;
 }

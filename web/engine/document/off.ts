@@ -9,7 +9,7 @@ import { excerpt, TextScanner } from './text_scanner';
 import { attributesOfRaw } from './vertex_values';
 
 const HASH = 35;
-/** The keyword: what vertices have, in the order of their values. */
+/** The keyword, which names the vertex attributes in the order of their values. */
 const KEYWORD = /^(ST)?(C)?(N)?OFF$/;
 /** The same with a fourth coordinate or any number of them. */
 const HIGHER = /^(ST)?C?N?(4n?|n)OFF$/;
@@ -94,10 +94,10 @@ function seek(scan: TextScanner): void {
   scan.fail('the file ends too early: export it again');
 }
 
-/** Whether a value follows on this line. */
+/** Whether another value follows on this line. */
 const hasMore = (scan: TextScanner): boolean => scan.seekWord() && scan.peek() !== HASH;
 
-/** Of vertices and faces; that of edges is not used, and often left out. */
+/** The counts of vertices and faces; that of edges is unused, and often left out. */
 function readCounts(scan: TextScanner): [number, number] {
   const counts = ['vertices', 'faces'].map((what) => {
     seek(scan);
@@ -138,7 +138,7 @@ function readVertices(scan: TextScanner, kind: OffKind, count: number): OffVerti
 const triple = ([x = NaN, y = NaN, z = NaN]: number[]): [number, number, number] => [x, y, z];
 const pair = ([u = NaN, v = NaN]: number[]): [number, number] => [u, v];
 
-/** Colours in [0, 1]: files have them so, or as whole numbers up to 255. */
+/** Colours scaled to [0, 1]: files have them in that range, or as whole numbers up to 255. */
 function inUnits(colours: Float32Array): Float32Array {
   return colours.some((value) => value > 1) ? colours.map((value) => value / 255) : colours;
 }

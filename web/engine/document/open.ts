@@ -32,7 +32,7 @@ export async function openModel(files: SourceFile[]): Promise<OpenModel> {
   return model;
 }
 
-/** Whether it is packed as ZIP but is a scene of another program, as USDZ is. */
+/** Whether the file is a ZIP by its bytes but a scene format by its name, like USDZ. */
 const isPackedScene = ({ name }: SourceFile): boolean =>
   !/\.zip$/i.test(name) && wayOfOtherFormat(name) !== null;
 
@@ -50,7 +50,7 @@ export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
   return withKnownLevels(model);
 }
 
-/** What a glTF without triangles has, in words that follow its name. */
+/** Describes a glTF without triangles, in words that follow its name. */
 export function describeEmpty({ document, notes }: OpenModel): string {
   if (document.getRoot().listMeshes().length === 0) return 'has no mesh';
   return `has no triangles (${notes.join('; ')})`;
@@ -84,10 +84,10 @@ function formatOfBytes(bytes: Uint8Array): Format | null {
   return /^ply[\r\n]$/.test(String.fromCharCode(...bytes.subarray(0, 4))) ? 'ply' : null;
 }
 
-/** Bytes at the start of a file without an ending, as from a pipe, that are looked at. */
+/** The number of bytes that are examined at the start of a file without an ending, as from a pipe. */
 const LOOKED_AT = 1 << 16;
 
-/** The format of a file whose name says nothing, by what it starts with; null if it could be anything. */
+/** Guesses the format of a file without an ending from its first bytes; null if they do not tell. */
 function guessFormat(bytes: Uint8Array): Format | null {
   if (isBinaryStl(bytes)) return 'stl';
   const start = new TextDecoder().decode(bytes.subarray(0, LOOKED_AT));

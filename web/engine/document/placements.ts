@@ -1,14 +1,14 @@
-/** How large the meshes of a document are in its scenes, and how often they stand there. */
+/** Where, how large and how often the meshes of a document are in its scenes. */
 
 import type { Accessor, Document, Mesh, Node } from '@gltf-transform/core';
 import { product } from '../core/affine';
 import { length3 } from '../core/exact_math';
 
-/** The vendor's extension for many copies of one node's mesh. */
+/** The extension for many instances of one node's mesh. */
 export const INSTANCING = 'EXT_mesh_gpu_instancing';
 
 /**
- * The scale of a mesh in the scene with all of its instances: the root of the sum of their squared scales, since the harm of an
+ * The scale of a mesh in the scene with all of its instances: the root of the sum of their squared scales, since the visible effect of an
  * error is its square, and is seen in each of them. A scale is the root mean square of the three axes. 1 where no node shows the mesh.
  */
 export function instanceScale(document: Document, mesh: Mesh): number {
@@ -21,7 +21,7 @@ export function instanceScale(document: Document, mesh: Mesh): number {
   return nodes.length > 0 && Number.isFinite(sum) ? Math.sqrt(sum) : 1;
 }
 
-/** Joints place a skinned mesh, and its own node does not. */
+/** The squared scale of a node's mesh: of a skinned mesh by its joints, because its own node is ignored. */
 function squaredScale(node: Node): number {
   const skin = node.getSkin();
   const [joint] = skin?.listJoints() ?? [];
@@ -50,7 +50,7 @@ function instances(node: Node): number {
   return sum;
 }
 
-/** What EXT_mesh_gpu_instancing says of a node, by attribute. */
+/** The attributes of EXT_mesh_gpu_instancing on a node. */
 interface Instances {
   listSemantics(): string[];
   getAttribute(semantic: string): Accessor | null;

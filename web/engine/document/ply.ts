@@ -97,7 +97,7 @@ function checkElement(source: ValueSource, element: PlyElement): void {
   if (single) source.fail(`"${single.name}" of faces is no list: export it again`);
 }
 
-/** Every value takes at least one byte; this keeps a false count from requesting endless memory or time. */
+/** Refuses counts that the file is too short for, at one byte a value, so that a wrong count cannot ask for endless memory or time. */
 function checkCount(source: ValueSource, { name, count, properties }: PlyElement, bytes: number): void {
   if (count * Math.max(1, properties.length) > bytes)
     source.fail(`${count} of "${excerpt(name)}" do not fit into the file: export it again`);

@@ -11,9 +11,9 @@ const FLAT = 1e-6;
 /** A polygon has no area if twice its area is below this times its size squared. */
 const NO_AREA = 1e-12;
 
-/** Ear clipping takes up to the square of the corners, so larger polygons have to be convex. */
+/** Ear clipping takes quadratic time, so larger polygons have to be convex. */
 export const MOST_CORNERS = 10_000;
-/** Corners of a larger polygon may dent it by so little, relative to its size: by rounding. */
+/** How far corners may dent a larger polygon, relative to its size: by rounding alone. */
 const ROUNDING = 1e-6;
 
 /**
@@ -123,7 +123,7 @@ function isFanUpright(points: number[], start: number): boolean {
 }
 
 /**
- * Whether the fan from the first corner turns no triangle over, but for rounding, and goes around once. It then turns by the angle of
+ * Whether the fan from the first corner reverses no triangle, except by rounding, and goes around once. It then turns by the angle of
  * the corner, less than pi; where a polygon winds twice, by 2 pi or more.
  */
 function isNearlyConvex(points: number[]): boolean {

@@ -1,4 +1,4 @@
-/** Removes from a document what new vertices cannot carry, and what nothing uses any more. */
+/** Removes from a document what does not apply to new vertices, and what is no longer used. */
 
 import type {
   Accessor,
@@ -73,7 +73,7 @@ function isCarried(extension: ExtensionProperty): boolean {
   return CARRIED.has(extension.extensionName);
 }
 
-/** Names of the primitive's extensions that are valid for its old vertices only. */
+/** Names of the primitive's extensions that are valid only for its old vertices. */
 export function uncarriedExtensions(primitive: Primitive): string[] {
   return primitive
     .listExtensions()
@@ -85,7 +85,7 @@ export function dropUncarried(primitive: Primitive): void {
   for (const name of uncarriedExtensions(primitive)) primitive.setExtension(name, null);
 }
 
-/** Joint weights decoded from Draco do not add up to 1; the validator would report them in the uncompressed file. */
+/** Normalises joint weights: those decoded from Draco do not add up to 1, which the validator would report in the uncompressed file. */
 export function normaliseWeights(document: Document): void {
   const root = document.getRoot();
   if (!root.listExtensionsUsed().some(({ extensionName }) => extensionName === DRACO)) return;
@@ -109,9 +109,9 @@ function makeSumsOne(arrays: Float32Array[]): void {
   }
 }
 
-/** What stays of what is not used. */
+/** Which unused properties are kept. */
 export interface Kept {
-  /** whether nothing that could be referred to by number is disposed of */
+  /** whether properties that may be referred to by index are kept */
   keepsNumbers?: boolean;
   spared?: ReadonlySet<Property>;
 }
@@ -122,7 +122,7 @@ const NONE_SPARED: ReadonlySet<Property> = new Set();
 export const isUnused = (property: Property, root: Root): boolean =>
   property.listParents().every((parent) => parent === root);
 
-/** What `disposeUnused` would dispose of as the document is: its owner may have plans for it. */
+/** What `disposeUnused` would dispose of before any change: the owner of the document may still need it. */
 export function listUnused(document: Document): Set<Property> {
   const root = document.getRoot();
   const own = [...root.listSkins(), ...root.listTextures(), ...root.listAccessors()];
@@ -174,14 +174,14 @@ export function disposeOrphans(extension: Extension, spared = NONE_SPARED): void
 
 function isNeeded(document: Document, extension: Extension, kept: Primitive[]): boolean {
   const name = extension.extensionName;
-  // What is written decides anew whether it is compressed.
+  // Whether the result is compressed is decided when it is written.
   if (COMPRESSIONS.includes(name)) return false;
   return Object.hasOwn(NEEDED_BY, name)
     ? NEEDED_BY[name](document, kept)
     : extension.listProperties().length > 0;
 }
 
-/** Whether a mesh has numbers that glTF allows with KHR_mesh_quantization alone. */
+/** Whether a mesh has integers that glTF allows only with KHR_mesh_quantization. */
 export function hasQuantized(document: Document): boolean {
   return primitivesOf(document).some(isQuantized);
 }

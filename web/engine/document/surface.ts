@@ -28,7 +28,7 @@ export interface SurfaceAttributes {
 export interface SurfaceFile {
   surfaces: Surface[];
   notes: string[];
-  /** content of the file that is dropped, in plain words */
+  /** content of the file that is dropped, in words for the user */
   unread: string[];
   /** names of the material libraries of an OBJ */
   libraries?: string[];
@@ -37,7 +37,7 @@ export interface SurfaceFile {
 /** Finds or makes the material of a name, for a surface with or without UVs. */
 export type MaterialMaker = (name: string, hasUvs: boolean) => Material;
 
-/** `makerOf`: where more is known of materials than their names. */
+/** `makerOf`: makes the materials; by default they have nothing but names. */
 export function modelOfSurfaces(
   name: string,
   format: Format,

@@ -71,7 +71,7 @@ export class TextScanner {
   /** Reads the next word; '' at the end of the line. */
   word(): string {
     if (!this.seekWord()) return '';
-    const start = this.at++; // a control character is a word, too: readers of words must get on
+    const start = this.at++; // a control character counts as a word, so that readers of words make progress
     while (this.at < this.bytes.length && this.bytes[this.at] > SPACE) ++this.at;
     return this.text(start, this.at);
   }

@@ -34,11 +34,11 @@ export async function validateFiles(files: SourceFile[]): Promise<Validation | n
   return validate(main.bytes, isGlb(main.bytes) ? 'glb' : 'gltf', all);
 }
 
-/** The name of a result may have no ending; its first file is the model. */
+/** The first file, which is the model, if it is glTF without an ending in its name. */
 const namelessGltf = ([first]: SourceFile[]): SourceFile | null =>
   first && first.bytes[0] === '{'.charCodeAt(0) ? first : null;
 
-/** The errors of `result`, each with its code, of which `input` has fewer; all of them where there is no input to compare with. */
+/** The errors, each with its code, that `result` has more of than `input`; all of them without an input to compare with. */
 export function addedErrors(result: Validation, input: Validation | null): string[] {
   const codeOf = (message: string) => message.replace(/ at .*/s, '');
   const counts = new Map<string, number>();
@@ -51,9 +51,9 @@ export function addedErrors(result: Validation, input: Validation | null): strin
   });
 }
 
-/** Larger files are not checked: the validator takes some 60 ms for a megabyte, and several times the file in memory. */
+/** Larger files are not checked: the validator takes some 60 ms per megabyte, and several times the file's size in memory. */
 const MOST_BYTES = 64 * 2 ** 20;
-/** At most so many errors are told. */
+/** The most errors that a sentence lists. */
 const ERRORS_SHOWN = 3;
 
 /**
@@ -79,7 +79,7 @@ const sizeOf = (files: SourceFile[]): number => sum(files.map(({ bytes }) => byt
 
 const importValidator = () => import('gltf-validator');
 
-/** Loads the validator early, where there is time, so that it need not be waited for; an error shows when it is needed. */
+/** Loads the validator in the background before it is needed; an error shows up when it is used. */
 export const loadValidator = (): void => void importValidator().catch(() => undefined);
 
 async function validate(bytes: Uint8Array, format: 'glb' | 'gltf', files: SourceFile[]): Promise<Validation> {
@@ -88,7 +88,7 @@ async function validate(bytes: Uint8Array, format: 'glb' | 'gltf', files: Source
     format,
     maxIssues: 1000,
     writeTimestamp: false,
-    // Images that were not there stay references, which are not followed.
+    // Missing images stay references, which are not followed.
     ignoredIssues: ['IO_ERROR'],
     externalResourceFunction: (uri) => readCompanion(files, uri),
   });
@@ -110,10 +110,10 @@ function readCompanion(files: SourceFile[], uri: string): Promise<Uint8Array> {
   return file ? Promise.resolve(file.bytes) : Promise.reject(new Error('It is not there.'));
 }
 
-/** At most as many characters of the validator's words stand in a sentence. */
+/** The most characters of the validator's message that a sentence quotes. */
 const LONGEST = 160;
 
-/** Errors that never keep a file from being read. */
+/** Errors despite which a file can be read. */
 const HARMLESS = ['IO_ERROR', 'ACCESSOR_MIN_MISMATCH', 'ACCESSOR_MAX_MISMATCH'];
 
 /** The first error that the validator finds in the JSON of a file, and where; null if it finds none. Buffers are not read. */

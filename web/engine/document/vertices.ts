@@ -19,7 +19,7 @@ export interface PrimitiveGeometry {
   indices: Uint32Array;
 }
 
-/** Stands for a key where the normal, if any, is interpolated from the sources. */
+/** The key of a normal that is interpolated from the sources, or of a corner without normal. */
 export const CARRIED = NONE;
 
 /** A mesh with the points of the body that the attributes of its corners come from; null: there are no attributes. */
@@ -69,7 +69,7 @@ class VertexGathering {
   private readonly normals: ArrayLike<number> | null;
   private readonly compared: { array: ArrayLike<number>; size: number }[];
   private added = 0;
-  /** of the corner that is looked at: three vertices of the primitive, and their shares */
+  /** of the current corner: three vertices of the primitive, and their shares */
   private readonly vertex = new Uint32Array(3);
   private readonly share = new Float32Array(3);
 
@@ -94,7 +94,7 @@ class VertexGathering {
 
   add(corner: number, normalKey: number): void {
     const vertex = this.sourced.mesh.triangles[corner];
-    this.lookAt(corner);
+    this.select(corner);
     const isSame = (written: number) => this.isSame(written, normalKey);
     let found = this.written.find(vertex, isSame, () => this.hashOf(normalKey, this.share[0], this.vertex));
     if (found === NONE) {
@@ -118,8 +118,8 @@ class VertexGathering {
     };
   }
 
-  /** A corner on a single vertex has that vertex three times, and the shares 1, 0, 0. Without attributes all corners are alike. */
-  private lookAt(corner: number): void {
+  /** Makes a corner the current one. A corner on a single vertex has that vertex three times, and the shares 1, 0, 0. Without attributes all corners are equal. */
+  private select(corner: number): void {
     const { body, sources } = this.sourced;
     if (!sources) return;
     const first = 3 * sources.triangle[corner];
@@ -131,7 +131,7 @@ class VertexGathering {
     }
   }
 
-  /** Whether the vertex that was written as number `written` is that of the corner that is looked at. */
+  /** Whether the written vertex number `written` is that of the current corner. */
   private isSame(written: number, normalKey: number): boolean {
     if (this.normalKey.at(written) !== normalKey) return false;
     const at = 3 * written;

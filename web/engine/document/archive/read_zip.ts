@@ -1,15 +1,15 @@
-/** Reads the files of a ZIP: a model with its companions. What is announced is compared with what is there before it is unpacked. */
+/** Reads the files of a ZIP: a model with its companions. Declared sizes are checked before anything is unpacked. */
 
 import { unzipSync } from 'fflate';
 import type { SourceFile } from '../model';
 
-/** Deflate makes at most so many bytes of one. */
+/** The largest ratio at which deflate can compress. */
 const MOST_PER_BYTE = 1032;
-/** What one archive may unpack to. */
+/** The most bytes that an archive may unpack to. */
 const MOST_BYTES = 2 ** 31;
-/** What systems add to archives: folders, hidden files, and what macOS keeps of its own. */
+/** Entries to skip: folders, hidden files, and metadata that operating systems add. */
 const IGNORED = /(^|\/)(\.[^/]*|__MACOSX|Thumbs\.db|desktop\.ini)(\/|$)|\/$/i;
-/** Names that lead out of the folder, or that no folder has. */
+/** Paths that lead out of the folder, are absolute, or are invalid. */
 const ESCAPING = /(^|[/\\])\.\.([/\\]|$)|^[/\\]|^[a-z]:|\0|\\/i;
 
 export const isZip = ({ bytes }: SourceFile): boolean =>
@@ -37,7 +37,7 @@ export function readZip({ name, bytes }: SourceFile): SourceFile[] {
   return files;
 }
 
-/** The archive and what is beside it, unpacked; other files as they are. */
+/** The files with archives replaced by their contents. */
 export const unpacked = (files: SourceFile[]): SourceFile[] =>
   files.flatMap((file) => (isZip(file) ? readZip(file) : [file]));
 

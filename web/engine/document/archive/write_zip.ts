@@ -7,7 +7,7 @@ import { MARK_FIELD } from './zip_mark';
 
 /** The earliest date that a ZIP can name, in any time zone. */
 const NO_DATE = new Date(1980, 0, 1);
-/** What is packed already. */
+/** Files that are compressed already. */
 const PACKED = /\.(png|jpe?g|webp|ktx2|avif)$/i;
 
 export function writeZip(files: SourceFile[], mark: string): Uint8Array {

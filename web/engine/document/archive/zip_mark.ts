@@ -1,13 +1,13 @@
-/** What says in a ZIP that Limber wrote it. */
+/** The mark by which a ZIP is recognised as written by Limber. */
 
-/** The private field of the first entry that has the mark. */
+/** The id of the extra field of the first entry that holds the mark. */
 export const MARK_FIELD = 0x4c4d;
 
-/** Where a local file header has the lengths of its name and of its extra fields, and where its name begins (APPNOTE 4.3.7). */
+/** Offsets in a local file header of the lengths of its name and extra fields, and of the name itself (APPNOTE 4.3.7). */
 const NAME_LENGTH = 26;
 const NAME = 30;
 
-/** The mark of an archive that `writeZip` has written; '' where it has none. `bytes`: at least its first header. */
+/** The mark of an archive that `writeZip` wrote; '' without one. `bytes`: at least the first local file header. */
 export function markOfZip(bytes: Uint8Array): string {
   if (bytes.length < NAME) return '';
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

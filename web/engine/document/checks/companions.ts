@@ -1,19 +1,19 @@
-/** The files that a glTF names: buffers, which it cannot do without, and images. */
+/** The files that a glTF names: buffers, which it needs, and images. */
 
 import type { GLTF, JSONDocument } from '@gltf-transform/core';
 import { counted, excerpt } from '../../core/words';
 import type { SourceFile } from '../model';
 
-/** At most so many names stand in a sentence. */
+/** The most names that a sentence lists. */
 const NAMES_SHOWN = 5;
 
-/** An address that names a place outside of the file's own folders, or no file at all. */
+/** An address outside of the file's own folders, or of no file. */
 const FOREIGN = /^([a-z][a-z0-9+.-]*:|[/\\])/i;
 
 /**
  * Adds the bytes of every external buffer and image to the resources, under the address that the file gives it. Returns the
- * addresses of images that are not there: their textures stay references. Throws an Error with one sentence that names the
- * buffers that are not there.
+ * addresses of missing images: their textures stay references. Throws an Error with one sentence that names the
+ * missing buffers.
  */
 export function addCompanions(
   main: SourceFile,
@@ -37,7 +37,7 @@ export function addCompanions(
   );
 }
 
-/** A note on images that are not there; none where all are. */
+/** A note on missing images; none without any. */
 export function describeMissing(images: string[]): string[] {
   if (images.length === 0) return [];
   const verb = images.length === 1 ? 'is' : 'are';
@@ -66,13 +66,13 @@ const addressesOf = (definitions: Definitions): string[] => [
   ...new Set((definitions ?? []).map(({ uri }) => uri).filter(isOutside)),
 ];
 
-/** Whether a definition names a file of its own. */
+/** Whether a definition refers to a separate file. */
 const isOutside = (uri: string | undefined): uri is string =>
   typeof uri === 'string' && uri !== '' && !/^data:/i.test(uri);
 
 /**
- * By address the file at the place that it names; else one of that name which came without a folder, as files that are dropped one by
- * one do, and which is at the place of no other address.
+ * Per address the file at its path; otherwise a file of that name without a folder, as files that are dropped one by
+ * one have none, unless it is at the path of another address.
  */
 function findCompanions(main: string, addresses: string[], files: SourceFile[]): Map<string, SourceFile> {
   const found = new Map<string, SourceFile>();
@@ -91,7 +91,7 @@ function findCompanions(main: string, addresses: string[], files: SourceFile[]):
   return found;
 }
 
-/** The file of this name; else one whose name is percent-encoded, as some programs leave it. */
+/** The file of this name; otherwise one with a percent-encoded name, as some programs write them. */
 const fileNamed = (path: string, files: SourceFile[]): SourceFile | undefined =>
   files.find(({ name }) => followPath([], name) === path) ??
   files.find(({ name }) => followPath([], decoded(name)) === path);

@@ -1,4 +1,4 @@
-/** Data inside of addresses (RFC 2397): the reader knows those in base64 alone. */
+/** Data URIs (RFC 2397): the reader supports only those in base64. */
 
 import type { GLTF } from '@gltf-transform/core';
 
@@ -20,7 +20,7 @@ function withBase64<One extends { uri?: string }>(one: One): One {
   return { ...one, uri: `data:${type};base64,${isEncoded ? data : btoa(bytesOf(data))}` };
 }
 
-/** A letter for each byte of text in which bytes can stand as %00 and so on. */
+/** A character for each byte of a percent-encoded text. */
 const bytesOf = (text: string): string =>
   text
     .replace(/%([0-9a-f]{2})/gi, (_, digits: string) => String.fromCharCode(parseInt(digits, 16)))

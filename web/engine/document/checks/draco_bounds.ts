@@ -1,5 +1,5 @@
 /**
- * What Draco's streams announce against the bytes that are there: its decoder makes room for all faces before it has read one. The
+ * Checks the counts that Draco streams declare against their size: the decoder allocates all faces before it has read one. The
  * layout is that of the Draco bitstream specification, sections "Header", "Metadata" and "Connectivity".
  */
 
@@ -11,7 +11,7 @@ const MAGIC = 'DRACO';
 const MESH = 1;
 const EDGEBREAKER = 1;
 const HAS_METADATA = 0x8000;
-/** Metadata may lie within metadata; what lies deeper was made to do harm. */
+/** Metadata may be nested; only malicious files nest it deeper. */
 const DEEPEST = 16;
 
 /** Throws a plain Error whose message is a clause where the streams have more than `most` faces or vertices together. */
@@ -30,7 +30,7 @@ export function checkDraco({ json, resources }: JSONDocument, most: number): voi
   }
 }
 
-/** The numbers of all buffer views that hold a mesh of Draco. */
+/** The indices of all buffer views with Draco meshes. */
 function dracoViews({ meshes }: GLTF.IGLTF): Set<number> {
   const primitives = (meshes ?? []).flatMap((mesh) =>
     Array.isArray(mesh.primitives) ? mesh.primitives : [],
@@ -41,7 +41,7 @@ function dracoViews({ meshes }: GLTF.IGLTF): Set<number> {
   return new Set(views.filter((view) => view !== undefined));
 }
 
-/** The bytes of a data address in base64. */
+/** The bytes of a data URI in base64. */
 function bytesOfAddress(uri: string): Uint8Array {
   const [, text] = /^data:[^,]*;base64,(.*)$/is.exec(uri) ?? [];
   if (text === undefined) throw new Error('Draco data is in a buffer that is not there');
@@ -52,7 +52,7 @@ function bytesOfAddress(uri: string): Uint8Array {
   }
 }
 
-/** The larger of the numbers of faces and vertices; 0 where this is no mesh of Draco, which its decoder refuses. */
+/** The larger of the declared counts of faces and vertices; 0 for anything but a Draco mesh, which the decoder refuses. */
 function announcedCount(bytes: Uint8Array): number {
   const reader = new Reader(bytes);
   if (String.fromCharCode(...bytes.subarray(0, MAGIC.length)) !== MAGIC) return 0;
@@ -67,7 +67,7 @@ function announcedCount(bytes: Uint8Array): number {
     return Math.max(number(), number());
   }
   const number = () => (version < 0x200 ? reader.word() : reader.varint());
-  // How the mesh is walked over, and in old streams a number of further vertices.
+  // The traversal method, and in old streams a number of further vertices.
   reader.skip(1);
   if (isOld) number();
   return Math.max(number(), number());
@@ -93,7 +93,7 @@ function skipElement(reader: Reader, depth: number): void {
   }
 }
 
-/** Reads little-endian numbers; behind the end there are zeros, which the decoder refuses. */
+/** Reads little-endian numbers; past the end it reads zeros, which the decoder refuses. */
 class Reader {
   private at = 0;
 
@@ -115,7 +115,7 @@ class Reader {
     return this.byte() + 2 ** 8 * this.byte() + 2 ** 16 * this.byte() + 2 ** 24 * this.byte();
   }
 
-  /** Seven bits a byte, the lowest first; the highest bit of a byte says that another one follows. */
+  /** A LEB128 number: seven bits a byte, the lowest first; the highest bit of a byte says that another one follows. */
   varint(): number {
     let value = 0;
     for (let shift = 0; shift < 64; shift += 7) {

@@ -1,11 +1,11 @@
-/** Textures with an image in a newer format and another for viewers that do not know it: the reader keeps the newer one alone. */
+/** Textures with an image in a newer format and a fallback for older viewers: the reader keeps only the newer one. */
 
 import type { Document, GLTF } from '@gltf-transform/core';
 import { counted } from '../../core/words';
 
 const NEWER = ['EXT_texture_webp', 'EXT_texture_avif', 'KHR_texture_basisu'];
 
-/** A note on the images that are not kept; none where there are none. */
+/** A note on the fallback images, which are dropped; none without any. */
 export function describeFallbacks({ textures = [] }: GLTF.IGLTF): string[] {
   const count = textures.filter(hasFallback).length;
   if (count === 0) return [];
@@ -16,7 +16,7 @@ export function describeFallbacks({ textures = [] }: GLTF.IGLTF): string[] {
 const hasFallback = ({ source, extensions }: GLTF.ITexture): boolean =>
   source !== undefined && NEWER.some((name) => Object.hasOwn(extensions ?? {}, name));
 
-/** Without another image, the format has to be known. */
+/** Requires the newer formats from viewers, since the fallback images are gone. */
 export function requireFormats(document: Document): void {
   for (const extension of document.getRoot().listExtensionsUsed())
     if (NEWER.includes(extension.extensionName)) extension.setRequired(true);

@@ -1,14 +1,14 @@
 /**
- * Checks of glTF's JSON against the bytes that are there, before anything is read: a few bytes of a damaged or hostile file can
+ * Checks of glTF's JSON against the size of the data, before anything is read: a few bytes of a damaged or hostile file can
  * ask for gigabytes. The bounds are multiples of the file's own size, far above what real files reach.
  */
 
 import type { GLTF, JSONDocument } from '@gltf-transform/core';
 import { isCount } from '../../core/count';
 
-/** A file may ask for as many elements without data of their own (sparse or Draco), and as many bytes twice, per byte. */
+/** The most elements without data of their own (sparse or Draco), and the most repeated bytes, per byte of a file. */
 const PER_BYTE = 64;
-/** What even the smallest file may ask for. */
+/** What a file may ask for whatever its size. */
 const ALWAYS = 1 << 20;
 /** meshopt stores at best two bits for a byte of each of 256 elements. */
 const MESHOPT_PER_BYTE = 4096;
@@ -51,7 +51,7 @@ interface MeshoptView {
 
 type Checked = Pick<JSONDocument, 'json' | 'resources'>;
 
-/** Meshes may share their data so often that there is a vertex, or a corner, for so many of a byte. */
+/** The most vertices, and the most corners, per byte of a file whose meshes share data. */
 const CORNERS_PER_BYTE = 16;
 
 /** The most vertices, and the most corners, that all bodies of a file of `size` bytes may have. */
@@ -60,7 +60,7 @@ export const mostCorners = (size: number): number => CORNERS_PER_BYTE * size + A
 /** The most elements without data of their own, and the most faces of Draco's, that a file of `size` bytes may have. */
 export const mostElements = (size: number): number => PER_BYTE * size + ALWAYS;
 
-/** The bytes of the JSON and of all buffers; data addresses are part of the JSON. */
+/** The bytes of the JSON and of all buffers; data URIs are part of the JSON. */
 export function sizeOf(jsonBytes: number, { resources }: JSONDocument): number {
   return Object.values(resources).reduce((sum, bytes) => sum + bytes.byteLength, jsonBytes);
 }
@@ -90,7 +90,7 @@ function imageBytes({ images, bufferViews }: GLTF.IGLTF): number {
   return views.reduce((sum, bytes) => sum + bytes, 0);
 }
 
-/** A clause on the first list that the reader goes through and that is none, of objects or of names; null if all are. */
+/** A clause on the first property that should be a list of objects or of names and is not; null if all are. */
 export function findWrongList(json: GLTF.IGLTF): string | null {
   const lists = json as unknown as Record<string, unknown>;
   for (const name of NAME_LISTS) {
@@ -135,7 +135,7 @@ interface Range {
   size: number;
 }
 
-/** Whether the elements end before the bytes do. Views may reach beyond each other, as some exporters let them. */
+/** Throws an Error unless the elements lie within the bytes. They may reach beyond their view, as some exporters write them. */
 function checkRange(
   checked: Checked,
   number: number,
@@ -152,7 +152,7 @@ function checkRange(
   if (there < count) throw new Error(`accessor ${number} announces ${count} elements, ${there} are there`);
 }
 
-/** Where the view starts in the bytes that it is part of, and where these end. */
+/** Where the view starts in its buffer, and where the buffer ends. */
 function rangeOf(checked: Checked, view: GLTF.IBufferView, number: number): { start: number; end: number } {
   const packed = view.extensions?.[MESHOPT] as MeshoptView | undefined;
   if (packed) return { start: 0, end: unpackedBytes(checked, packed, number) };
@@ -161,7 +161,7 @@ function rangeOf(checked: Checked, view: GLTF.IBufferView, number: number): { st
   return { start, end: bufferBytes(checked, view.buffer, number) };
 }
 
-/** The bytes of a buffer that are there. */
+/** The number of bytes that a buffer really has. */
 function bufferBytes({ json, resources }: Checked, buffer: number, view: number): number {
   const definition = json.buffers?.[buffer];
   if (!definition) throw new Error(`buffer view ${view} names a buffer that is not there`);
@@ -171,7 +171,7 @@ function bufferBytes({ json, resources }: Checked, buffer: number, view: number)
   return typeof uri === 'string' && /^data:/i.test(uri) ? dataBytes(uri) : 0;
 }
 
-/** How many bytes a data address stands for; where it is not in base64, at most so many. */
+/** The number of bytes in a data URI; an upper bound where it is not in base64. */
 function dataBytes(uri: string): number {
   const comma = uri.indexOf(',');
   const letters = uri.length - comma - 1;

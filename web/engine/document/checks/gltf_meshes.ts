@@ -1,8 +1,8 @@
-/** Checks of what meshes of a glTF file name: without it they would be read as other meshes than those that were meant. */
+/** Checks the accessors that meshes of a glTF file refer to: with wrong ones they would be read as other meshes. */
 
 import type { GLTF } from '@gltf-transform/core';
 
-/** A clause on the first mesh whose positions or corners are not there or are no positions; null if all are right. */
+/** A clause on the first mesh with missing or invalid positions or indices; null if all are valid. */
 export function findWrongMesh({ accessors = [], meshes = [] }: GLTF.IGLTF): string | null {
   for (const [number, { primitives }] of meshes.entries())
     for (const primitive of Array.isArray(primitives) ? primitives : []) {

@@ -1,12 +1,12 @@
-/** Textures that have no image which can be read: materials are shown without them. */
+/** Textures without a readable image: materials are shown without them. */
 
 import type { GLTF } from '@gltf-transform/core';
 import { counted } from '../../core/words';
 import { hasImage, imageOf } from '../extensions/foreign';
 
 /**
- * The JSON whose materials name no texture without an image, as the reader expects, and a note on those that they named. Images that are
- * nowhere, neither in a file nor in a view, get an empty address, which the reader takes for an image without bytes.
+ * The JSON without references to textures that have no image, as the reader expects, and a note on those references. Images that are
+ * neither in a file nor in a view get an empty address, which the reader takes for an image without bytes.
  */
 export function withoutImageless(json: GLTF.IGLTF): { json: GLTF.IGLTF; notes: string[] } {
   const isNowhere = (json.images ?? []).map(({ uri, bufferView }) => !uri && bufferView === undefined);

@@ -1,4 +1,4 @@
-/** The factors of any matrix of three columns: it turns, then scales along the axes, then turns again. */
+/** The singular value decomposition of a 3 x 3 matrix: a rotation, a scale along the axes, and another rotation. */
 
 import { length3 } from '../../core/exact_math';
 import { cross, dot } from '../../core/vectors';
@@ -10,23 +10,23 @@ export type Quaternion = [number, number, number, number];
 /** The matrix is the rotation `outer`, times the scale, times the rotation `inner`. */
 export interface MatrixFactors {
   outer: Quaternion;
-  /** negative along one axis where the matrix mirrors */
+  /** negative along one axis where the matrix is a reflection */
   scale: Vector;
   inner: Quaternion;
   /** the rotation and the scale that come closest to the matrix without its shear */
   closest: { rotation: Quaternion; scale: Vector };
 }
 
-/** Far more rounds than ever needed: errors are squared with each. */
+/** Far more rounds than are ever needed, since convergence is quadratic. */
 const MOST_ROUNDS = 30;
-/** Cosines below are those of rounding. */
+/** Cosines below this are rounding errors. */
 const ROUNDING = 1e-15;
-/** A column shorter than this share of the longest is one of length 0. */
+/** A column shorter than this share of the longest counts as 0. */
 const NEGLIGIBLE = 1e-14;
 
 /**
- * The factors of the matrix with these columns, by Jacobi's method from one side: turns of two axes at a time make its columns
- * perpendicular. Columns that are so already, or of length 0, leave `inner` at exactly no rotation.
+ * The factors of the matrix with these columns, by one-sided Jacobi: rotations of two axes at a time make its columns
+ * perpendicular. Columns that are so already, or of length 0, leave `inner` exactly the identity.
  */
 export function factorsOf(columns: readonly Vector[]): MatrixFactors {
   const unit = Math.max(...columns.flat().map(Math.abs)) || 1;
@@ -60,7 +60,7 @@ const PAIRS = [
   [1, 2],
 ] as const;
 
-/** Turns two of the axes so that they are perpendicular, and the columns of `turned` with them. Returns whether they were. */
+/** Rotates two of the axes so that they are perpendicular, and the columns of `turned` with them. Returns whether they were already. */
 function makePerpendicular(axes: Vector[], turned: Vector[], [i, j]: readonly [number, number]): boolean {
   const [a, b] = [dot(axes[i], axes[i]), dot(axes[j], axes[j])];
   const product = dot(axes[i], axes[j]);
@@ -76,7 +76,7 @@ function makePerpendicular(axes: Vector[], turned: Vector[], [i, j]: readonly [n
   return false;
 }
 
-/** A frame that does not mirror and has the directions of these perpendicular axes; the shortest one may point backwards. */
+/** A right-handed frame with the directions of these perpendicular axes; the shortest one may be reversed. */
 function frameOf(axes: readonly Vector[]): Vector[] {
   const lengths = axes.map(([x, y, z]) => length3(x, y, z));
   const last = lengths.indexOf(Math.min(...lengths));
@@ -96,7 +96,7 @@ function frameOf(axes: readonly Vector[]): Vector[] {
   return frame;
 }
 
-/** A direction at a right angle to another: that of the axis from which it is farthest, without what they share. */
+/** A direction perpendicular to another: the coordinate axis that is farthest from it, made orthogonal. */
 function perpendicularTo(direction: Vector): Vector {
   const sizes = direction.map(Math.abs);
   const axis: Vector = [0, 0, 0];
@@ -104,7 +104,7 @@ function perpendicularTo(direction: Vector): Vector {
   return unitOf(cross(direction, axis));
 }
 
-/** Of a rotation with these columns: from the largest of its four numbers, which no cancellation harms. */
+/** The quaternion of a rotation with these columns, computed from its largest component to avoid cancellation. */
 function quaternionOf([[a, b, c], [d, e, f], [g, h, i]]: readonly Vector[]): Quaternion {
   const squares = [1 + a - e - i, 1 - a + e - i, 1 - a - e + i, 1 + a + e + i];
   const largest = squares.indexOf(Math.max(...squares));

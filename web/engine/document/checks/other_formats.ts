@@ -1,4 +1,4 @@
-/** What to do with files of programs and formats that cannot be read. */
+/** How to convert files of formats that cannot be read. */
 
 interface OtherFormat {
   /** endings in lower case */
@@ -60,7 +60,7 @@ const OTHERS: readonly OtherFormat[] = [
   },
 ];
 
-/** What is to be done with a file of this name, as a sentence; null where its ending says nothing. */
+/** How to convert a file of this name, as a sentence; null for unknown endings. */
 export function wayOfOtherFormat(name: string): string | null {
   const ending = name.toLowerCase().split('.').pop()!;
   const known = OTHERS.find(({ endings }) => endings.includes(ending));

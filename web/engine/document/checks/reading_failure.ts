@@ -1,4 +1,4 @@
-/** What a reader throws, in words for the user: never a message of the program about itself. */
+/** Rewords what a reader throws for the user, who should never see an internal message. */
 
 /** Whether a message was written for the user: readers throw plain Errors with one sentence. */
 export const isSentence = (error: unknown): error is Error =>
@@ -13,7 +13,7 @@ export async function readSafely<T>(name: string, read: () => T | Promise<T>): P
   }
 }
 
-/** What went wrong inside, and the cure, as a clause. */
+/** The cause of an internal failure, and the cure, as a clause. */
 export function describeFailure(error: unknown): string {
   const message = error instanceof Error ? error.message : '';
   if (/allocation|array length|array buffer|out of memory/i.test(message))

@@ -1,17 +1,17 @@
-/** Nodes whose matrix is no translation, rotation and scale, which is all that the reader knows of a node. */
+/** Nodes with sheared matrices: the reader supports only translation, rotation and scale. */
 
 import type { GLTF } from '@gltf-transform/core';
 import { length3 } from '../../core/exact_math';
 import { excerpt } from '../../core/words';
 import { factorsOf } from './matrix_factors';
 
-/** Cosines between columns up to this are taken for rounding: matrices are written with six digits, too. */
+/** Cosines between columns up to this are taken for rounding, since some matrices are written with six digits. */
 const ROUNDING = 1e-5;
 
 /**
- * The JSON in which every node with a shear hangs under a new one, which turns and scales; what is left to the node itself is a
- * rotation. So the number of the node still means the same place, for skins, extensions and all that it has. Where animations or
- * levels of detail move the node or show it elsewhere it loses its shear, which a note says.
+ * The JSON in which every sheared node gets a new parent, which rotates and scales; the node itself is left with a
+ * rotation. So the index of the node still stands for the same space, for skins, extensions and its contents. Where animations or
+ * levels of detail move the node or show it elsewhere, it loses its shear, which a note reports.
  */
 export function withoutShear(json: GLTF.IGLTF): { json: GLTF.IGLTF; notes: string[] } {
   const old = json.nodes ?? [];
@@ -47,7 +47,7 @@ type Column = [number, number, number];
 
 const columnsOf = (m: number[]): Column[] => [0, 4, 8].map((at) => [m[at], m[at + 1], m[at + 2]]);
 
-/** Whether two columns are not perpendicular, or one has no direction, from which the reader makes no rotation. */
+/** Whether two columns are not perpendicular, or one is 0, from which the reader cannot make a rotation. */
 function isSheared(matrix: unknown): boolean {
   if (!isMatrix(matrix)) return false;
   const lengths = columnsOf(matrix).map(([x, y, z]) => length3(x, y, z));
@@ -62,10 +62,10 @@ function isSheared(matrix: unknown): boolean {
   });
 }
 
-/** A channel of an animation in a file that nobody has checked. */
+/** A channel of an animation in unchecked JSON. */
 type Channel = Partial<GLTF.IAnimationChannel>;
 
-/** Numbers of the nodes that an animation turns, moves or scales, or that are levels of detail by an extension. */
+/** Indices of the nodes that an animation transforms, or that are levels of detail by an extension. */
 function movedElsewhere({ animations = [], nodes = [] }: GLTF.IGLTF): Set<number | undefined> {
   const channels = animations.flatMap((animation) => animation.channels as (Channel | null)[] | undefined);
   const moved = channels.flatMap((channel) =>
@@ -78,7 +78,7 @@ function movedElsewhere({ animations = [], nodes = [] }: GLTF.IGLTF): Set<number
   return new Set([...moved, ...levels]);
 }
 
-/** The JSON in which scenes and the first `count` nodes name the holders in place of the nodes that these hold. */
+/** The JSON in which scenes and the first `count` nodes refer to the new parents instead of their children. */
 function withHolders(json: GLTF.IGLTF, count: number, holders: ReadonlyMap<number, number>): GLTF.IGLTF {
   const renumbered = (numbers: number[]) => numbers.map((number) => holders.get(number) ?? number);
   const nodes = json.nodes!.map((node, i) =>

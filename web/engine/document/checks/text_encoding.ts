@@ -1,6 +1,6 @@
-/** Text files are read as UTF-8; this names those that are not. */
+/** Refuses text files in UTF-16 or UTF-32: text is read as UTF-8. */
 
-/** Bytes at the start that are looked at. */
+/** The number of bytes at the start that are examined. */
 const LOOKED_AT = 64;
 
 /** Throws an Error with one sentence where the bytes are text with two or four bytes a character. */
@@ -13,7 +13,7 @@ export function checkEncoding(name: string, bytes: Uint8Array): void {
 const hasWideMark = ([first, second]: Uint8Array): boolean =>
   (first === 0xff && second === 0xfe) || (first === 0xfe && second === 0xff);
 
-/** Whether every other byte is 0 and those between are letters, digits or blanks. */
+/** Whether every other byte is 0 and the ones in between are letters, digits or blanks. */
 function hasWideLetters(bytes: Uint8Array): boolean {
   const start = bytes.subarray(0, Math.min(LOOKED_AT, bytes.length - (bytes.length % 2)));
   if (start.length < 8) return false;

@@ -1,10 +1,10 @@
-/** Writes the JSON of extensions that are not understood into the JSON of a result. */
+/** Writes the JSON of unknown extensions into the JSON of a result. */
 
 import type { GLTF } from '@gltf-transform/core';
 import { meshOfForeign } from './foreign';
 import type { Foreign, ForeignExtension } from './foreign';
 
-/** Collections whose entries keep their numbers, and new ones come after them. */
+/** Collections whose entries keep their indices; new entries are appended. */
 const STABLE = 'scenes nodes meshes cameras skins animations materials images'.split(' ');
 
 type Json = Record<string, unknown>;
@@ -25,7 +25,7 @@ export function carryForeign(json: GLTF.IGLTF, foreign: Foreign, replaced: Reado
     for (const holder of holders)
       holder.extensions = { ...(holder.extensions as object), [extension.name]: value };
   }
-  // A name without any JSON is a statement about the whole file.
+  // A listed extension without any JSON applies to the whole file.
   const found = new Set(foreign.extensions.map(({ name }) => name));
   const isListed = (name: string) => written.has(name) || !found.has(name);
   addNames(json, 'extensionsUsed', foreign.listed.used.filter(isListed));
@@ -36,7 +36,7 @@ function addNames(json: GLTF.IGLTF, list: 'extensionsUsed' | 'extensionsRequired
   if (names.length > 0) json[list] = [...new Set([...(json[list] ?? []), ...names])];
 }
 
-/** The objects of the result at the place of the extension. */
+/** The objects of the result that the extension belongs to. */
 function holdersOf(json: GLTF.IGLTF, { textures }: Foreign, { path }: ForeignExtension): Json[] {
   if (path[0] === 'textures' && path.length === 2) {
     const old = textures[Number(path[1])];
@@ -51,7 +51,7 @@ function holdersOf(json: GLTF.IGLTF, { textures }: Foreign, { path }: ForeignExt
   return typeof holder === 'object' && holder !== null ? [holder as Json] : [];
 }
 
-/** The number in the result of a texture of the file, which is added when it is first asked for. */
+/** Returns a function from the index of a texture in the file to that in the result, which adds the texture on first use. */
 function textureNumbers(json: GLTF.IGLTF, { textures, samplers }: Foreign): (old: number) => number {
   const known = new Map<number, number>();
   return (old) => {

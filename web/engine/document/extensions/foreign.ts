@@ -1,12 +1,12 @@
 /**
- * Extensions that the reader does not understand. Their JSON is carried over as it is, since scenes, nodes, meshes, cameras,
- * skins, animations, materials and images keep their numbers; what could refer to anything else is refused by name.
+ * Extensions that the reader does not support. Their JSON is copied unchanged, since scenes, nodes, meshes, cameras,
+ * skins, animations, materials and images keep their indices; extensions that may refer to anything else are refused by name.
  */
 
 import type { GLTF } from '@gltf-transform/core';
 import { SUPPORTED_EXTENSIONS } from '../gltf_io';
 
-/** The JSON of one extension at one place of a file. */
+/** The JSON of one extension on one object of a file. */
 export interface ForeignExtension {
   name: string;
   /** keys from the root of the JSON to the object that has the extension */
@@ -16,25 +16,25 @@ export interface ForeignExtension {
   obstacle: string | null;
 }
 
-/** What a file has that its document has not. */
+/** The content of a file that its document lacks. */
 export interface Foreign {
   extensions: ForeignExtension[];
-  /** names that are listed as used, understood or not */
+  /** names that are listed as used, supported or not */
   listed: { used: string[]; required: string[] };
   /** the textures and samplers of the file, which extensions can refer to */
   textures: GLTF.ITexture[];
   samplers: GLTF.ISampler[];
 }
 
-/** Extensions that say nothing of how vertices are stored, so that a file may require them. */
+/** Extensions that do not change how vertices are stored, so that a file may require them. */
 const HARMLESS = /^(KHR_animation_pointer|KHR_interactivity|VRM.*|MSFT_lod)$/;
 
-/** Whether a file that requires the extension can be read all the same. */
+/** Whether a file that requires the extension can still be read. */
 export const canBeCarried = (name: string): boolean => HARMLESS.test(name);
 
-/** Collections whose entries get other numbers when a document is written. */
+/** Collections whose entries are renumbered when a document is written. */
 const RENUMBERED = new Set(['accessors', 'bufferViews', 'buffers', 'samplers']);
-/** Keys under which extensions name entries of these by number. */
+/** Keys under which extensions refer to entries of these collections by index. */
 const NAMES_DATA = /^(accessors?|bufferViews?|buffers?|samplers?|indices|attributes)$/i;
 
 type Json = Record<string, unknown>;
@@ -73,7 +73,7 @@ function obstacleTo(path: (string | number)[], holder: Json, value: unknown): st
   return key === null ? null : `and its "${key}" refers to data that is written anew`;
 }
 
-/** Whether a texture has an image besides that of an extension that is not understood. */
+/** Whether a texture has an image besides that of an unknown extension. */
 export const hasImage = ({ source, extensions }: GLTF.ITexture): boolean =>
   source !== undefined || Object.keys(extensions ?? {}).some((name) => !isForeign(name));
 
@@ -83,7 +83,7 @@ export function imageOf({ source, extensions }: GLTF.ITexture): number | undefin
   return known.map(([, own]) => (own as { source?: number } | null)?.source).find(Number.isInteger) ?? source;
 }
 
-/** The first key that names accessors and the like by number; null without one. */
+/** The first key that refers to accessors and the like by index; null without one. */
 function dataKeyIn(value: unknown): string | null {
   if (!isObject(value)) return null;
   for (const [key, child] of Object.entries(value)) {

@@ -1,4 +1,4 @@
-/** What the reader of glTF passes over although its writer would write it. */
+/** Restores properties of glTF files that the reader ignores although the writer supports them. */
 
 import type { Document, GLTF, Property } from '@gltf-transform/core';
 import { KHRMaterialsVariants } from '@gltf-transform/extensions';
@@ -6,7 +6,7 @@ import type { MappingList } from '@gltf-transform/extensions';
 
 const VARIANTS = KHRMaterialsVariants.EXTENSION_NAME;
 
-/** What every object of glTF may have. */
+/** The properties that every glTF object may have. */
 type Named = Pick<GLTF.IChildRootProperty, 'name' | 'extras'>;
 
 /** Gives a document the version that its file needs, extras of variants, and names and extras of their materials. */

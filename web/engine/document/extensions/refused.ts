@@ -1,4 +1,4 @@
-/** Extensions of a file that cannot be carried to a result. */
+/** Extensions of a file that cannot be carried over to a result. */
 
 import type { OpenModel } from '../model';
 import { uncarriedExtensions } from '../prune';
@@ -6,11 +6,11 @@ import { describePath, meshOfForeign } from './foreign';
 
 export interface RefusedExtension {
   name: string;
-  /** where it is, in words: "mesh 3, primitive 0" */
+  /** the object that has it, in words: "mesh 3, primitive 0" */
   where: string;
   /** a clause: "whose vertices change" */
   why: string;
-  /** the body whose change is in its way; null where it is in no body */
+  /** the body whose change rules it out; null where it belongs to no body */
   body: string | null;
 }
 

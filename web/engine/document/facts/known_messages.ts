@@ -1,8 +1,8 @@
-/** Which messages on a result are no news, as its file had them already. */
+/** Which validator messages on a result its input had already. */
 
 import type { Validation } from '../validate';
 
-/** How many messages of `result` the input had too: of each code at most as many as there were. */
+/** How many messages of `result` the input had too: per code, at most as many as there were. */
 export function knownMessages(result: Validation, input: Validation): number {
   const left = new Map<string, number>();
   for (const message of input.messages) left.set(codeOf(message), (left.get(codeOf(message)) ?? 0) + 1);

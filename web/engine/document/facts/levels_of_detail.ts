@@ -1,4 +1,4 @@
-/** Levels of detail that a file has already: by the extension MSFT_lod, or nodes named NAME_LOD0, NAME_LOD1 and so on. */
+/** Recognises levels of detail in a file: by the extension MSFT_lod, or nodes named NAME_LOD0, NAME_LOD1 and so on. */
 
 import type { Document } from '@gltf-transform/core';
 import type { OpenModel } from '../model';
@@ -16,7 +16,7 @@ export function withKnownLevels(model: OpenModel): OpenModel {
     : model;
 }
 
-/** Whether nodes with meshes have one name and different numbers of levels. */
+/** Whether nodes with meshes differ only in the level number of their names. */
 function hasNumberedNodes(document: Document): boolean {
   const levels = new Map<string, string>();
   return document

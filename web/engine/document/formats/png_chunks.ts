@@ -1,4 +1,4 @@
-/** How a PNG is made (ISO/IEC 15948): a mark, then chunks. */
+/** The structure of a PNG (ISO/IEC 15948): a signature, then chunks. */
 
 /** The first bytes of every PNG. */
 export const PNG_MARK: readonly number[] = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
@@ -8,7 +8,7 @@ export const isPng = (bytes: Uint8Array): boolean => PNG_MARK.every((byte, i) =>
 interface Chunk {
   /** of four letters */
   type: string;
-  /** less than the chunk says where the file ends before */
+  /** cut short where the file ends before the chunk does */
   data: Uint8Array;
 }
 

@@ -1,4 +1,4 @@
-/** Which corners of a result keep the normal that their sources have, and which get that of their faces. */
+/** Which corners of a result get the normals of their sources, and which get normals computed from faces. */
 
 import type { Accessor, Primitive } from '@gltf-transform/core';
 import type { CornerSources, TriangleMesh } from '../../core/core';
@@ -8,7 +8,7 @@ import type { ResultNormals } from './normals';
 import { CARRIED, isUntouched, wholeShare } from '../vertices';
 import type { PrimitiveGeometry } from '../vertices';
 
-/** What of an ExportedBody normals follow from. */
+/** The fields of an ExportedBody that normals follow from. */
 interface Shaded {
   body: Body;
   mesh: TriangleMesh;
@@ -33,7 +33,7 @@ export function normalKeys(
   return (corner) => {
     const t = Math.floor(corner / 3);
     const source = inputOfTriangle[t];
-    // The corners of a quad that is cut along its other diagonal have normals of two faces.
+    // The corners of a recut quad have normals of two faces.
     const isAsItWas = isUntouched(sources, t, source) && !body.recut?.[source];
     if (isAsItWas) return CARRIED;
     const key = normals.smoothKey(corner);

@@ -6,7 +6,7 @@ import { arcCosine, length3 } from '../../core/exact_math';
 
 /** Cosine of 60 degrees: normals are split at edges whose faces meet at a larger angle. */
 const CREASE_COSINE = 0.5;
-/** As a cosine below which edges are hard: every edge is, but for those within planes. */
+/** A cosine below which edges are hard that makes all edges hard except those within planes. */
 export const ALL_HARD = 2;
 /**
  * Cosine of a ten-thousandth of a radian: faces that meet at less share a normal. It is narrower than FLAT_STEPS of hard_edges.ts, which

@@ -1,4 +1,4 @@
-/** Tangents of results: made again by MikkTSpace where faces changed, if those of the file are MikkTSpace's own. */
+/** Tangents of results: recomputed by MikkTSpace where faces changed, if those of the file are by MikkTSpace. */
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
 import { likeStored } from '../write/stored_values';
@@ -13,7 +13,7 @@ export type GenerateTangents = (
   coordinates: Float32Array,
 ) => Float32Array;
 
-/** MikkTSpace, where a primitive of the document has tangents; it is loaded for these alone. */
+/** MikkTSpace, loaded only if a primitive of the document has tangents; otherwise null. */
 export async function tangentGenerator(document: Document): Promise<GenerateTangents | null> {
   const meshes = document.getRoot().listMeshes();
   const hasTangents = meshes.some((mesh) =>
@@ -24,7 +24,7 @@ export async function tangentGenerator(document: Document): Promise<GenerateTang
   return generateTangents as GenerateTangents;
 }
 
-/** Tangents of a file are MikkTSpace's where this share of corners is within the angle; integers and other triangulations take some. */
+/** Tangents count as MikkTSpace's if this share of corners is within the angle; quantization and other triangulations cost some corners. */
 const LEAST_SHARE = 0.9;
 /** cos 5 degrees */
 const SAME_COSINE = 0.9961946980917455;

@@ -4,10 +4,10 @@ import { ImageUtils } from '@gltf-transform/core';
 import { decode } from 'jpeg-js';
 import type { Pixels } from './png';
 
-/** What the decoder may take, in bytes per pixel: progressive pictures are kept as 32-bit coefficients of up to four components. */
+/** The memory that the decoder may use, in bytes per pixel: progressive images are kept as 32-bit coefficients of up to four components. */
 const BYTES_PER_PIXEL = 64;
 
-/** Scans of a progressive picture; usual ones have 10. Each goes through all pixels, however few bytes it has. */
+/** The most scans of a progressive image; 10 are usual. Each visits all pixels, however few bytes it has. */
 const MOST_SCANS = 100;
 
 /** Throws an Error where the file is broken, has more pixels than `mostPixels` or too many scans. */
@@ -22,7 +22,7 @@ export function decodeJpeg(bytes: Uint8Array, mostPixels: number): Pixels {
   return { width, height, channels: 3, data };
 }
 
-/** Of markers of scans; in the data of a scan no byte 0xff is followed by anything but 0 or a number of a restart. */
+/** The number of start-of-scan markers; in scan data a byte 0xff is followed only by 0 or a restart number. */
 function scanCount(bytes: Uint8Array): number {
   let count = 0;
   for (let i = bytes.indexOf(0xff); i >= 0; i = bytes.indexOf(0xff, i + 1))
@@ -30,7 +30,7 @@ function scanCount(bytes: Uint8Array): number {
   return count;
 }
 
-/** The width and height of a JPEG file; null where it does not say them. */
+/** The width and height of a JPEG file; null where it declares none. */
 export function sizeOfJpeg(bytes: Uint8Array): [number, number] | null {
   try {
     const [width, height] = ImageUtils.getSize(bytes, 'image/jpeg') ?? [0, 0];

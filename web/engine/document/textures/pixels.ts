@@ -1,10 +1,10 @@
-/** The pixels of textures, for what depends on how they look. PNG and JPEG. */
+/** The pixels of PNG and JPEG textures. */
 
 import type { Document, Texture } from '@gltf-transform/core';
 import { isJpeg } from '../formats/jpeg_mark';
 import type { Pixels } from './png';
 
-/** What is decoded of a file, at most: so many pixels take 0.1 to 0.2 seconds of a processor. */
+/** The most pixels that are decoded of a file; they take 0.1 to 0.2 seconds of one processor core. */
 export const MOST_PIXELS = 1 << 20;
 
 interface Decoder {
@@ -24,7 +24,7 @@ const known = new WeakMap<Uint8Array, Pixels | null>();
 
 const formatOf = (image: Uint8Array): keyof typeof loaders => (isJpeg(image) ? 'jpeg' : 'png');
 
-/** Loads the decoders of a document's textures; `pixelsOf` finds nothing before. The page loads each with the first such file. */
+/** Loads the decoders of a document's textures, without which `pixelsOf` returns null. The page loads each with the first such file. */
 export async function loadDecoders(document: Document): Promise<void> {
   const images = document
     .getRoot()

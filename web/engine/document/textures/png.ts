@@ -21,12 +21,12 @@ interface Header {
 }
 
 const SAMPLES_OF_TYPE: Record<number, number | undefined> = { 2: 3, 3: 1, 6: 4 };
-/** No more than this is inflated without a look at how much has come of it. */
+/** The compressed bytes that are inflated at a time, so that the size of the output is checked in between. */
 const SLICE = 1 << 16;
 
 /**
- * Null where the file is no PNG, or in grey, interlaced or with 16 bits. Throws an Error where it is broken. It takes memory in
- * proportion to `mostPixels` whatever the file says; larger pictures are null, too.
+ * Null where the file is not a PNG, or is grey, interlaced or 16-bit. Throws an Error where it is broken. The memory is in
+ * proportion to `mostPixels` whatever the file declares; larger images are null, too.
  */
 export function decodePng(bytes: Uint8Array, mostPixels: number): Pixels | null {
   const header = headerOf(bytes);
@@ -74,7 +74,7 @@ function contentOf(bytes: Uint8Array): { palette: Uint8Array; packed: Uint8Array
   return { palette, packed };
 }
 
-/** Throws an Error unless exactly `size` bytes come of it. */
+/** The inflated data. Throws an Error unless it has exactly `size` bytes. */
 function inflated(packed: Uint8Array[], size: number): Uint8Array {
   const all = new Uint8Array(size);
   let count = 0;
@@ -90,7 +90,7 @@ function inflated(packed: Uint8Array[], size: number): Uint8Array {
   return all;
 }
 
-/** Without the byte before each row that says how it was predicted; `step` bytes are from one pixel to the next. */
+/** Undoes the prediction of each row and removes its filter byte; `step`: bytes from one pixel to the next. */
 function unfiltered(rows: Uint8Array, length: number, step: number): Uint8Array {
   const height = rows.length / (1 + length);
   const all = new Uint8Array(height * length);

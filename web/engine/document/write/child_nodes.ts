@@ -1,4 +1,4 @@
-/** Nodes that take over the mesh of another one at the same place. */
+/** Child nodes that take over the mesh of their parent. */
 
 import type { Animation, AnimationChannel, Document, Node } from '@gltf-transform/core';
 import { INSTANCING } from '../placements';
@@ -14,7 +14,7 @@ export const channelsOf = (
     .flatMap((animation) => animation.listChannels().map((channel) => ({ animation, channel })))
     .filter(({ channel }) => channel.getTargetNode() === node);
 
-/** Whether a node does more than to place its mesh, which another node could not take over: weights it could. */
+/** Whether a node has another purpose than to show its mesh, which a child could not take over; morph weights it could. */
 export function moreThanMesh(document: Document): (node: Node) => boolean {
   const root = document.getRoot();
   const channels = root.listAnimations().flatMap((animation) => animation.listChannels());
@@ -30,7 +30,7 @@ export function moreThanMesh(document: Document): (node: Node) => boolean {
     node.listChildren().length > 0;
 }
 
-/** Gives the mesh of a node, its skin, its weights and its instances to a child of this name at the same place. */
+/** Moves the mesh of a node, its skin, weights and instances to a new child of this name with the same transformation. */
 export function moveToChild(document: Document, node: Node, name = ''): Node {
   const child = document
     .createNode(name)

@@ -1,4 +1,4 @@
-/** How vertices are stored in a file, and how a document is made to be written so. */
+/** How vertices are stored in a file, and how a document is prepared for that. */
 
 import type { Accessor, Document, GLTF, Mesh, Primitive } from '@gltf-transform/core';
 import {
@@ -17,7 +17,7 @@ import { followThickness } from './thickness';
 /** How the vertices of a file are stored. */
 export interface Stored {
   kind: Exclude<Compression, 'like-input'>;
-  /** whether it calls meshopt by its ratified name */
+  /** whether it uses the ratified name of meshopt's extension */
   isRatified?: true;
 }
 
@@ -31,7 +31,7 @@ const UNUSED = 0xffffffff;
 /** Bits of positions: all 16 cost nothing where nothing is packed after them. */
 const POSITION_BITS = { quantized: 16, meshopt: 14 } as const;
 
-/** How the file of this JSON stores its vertices, by what it has, not by what it announces. */
+/** How the file with this JSON stores its vertices, by its contents, not by the extensions that it declares. */
 export function storedIn(json: GLTF.IGLTF): Stored {
   const primitives = (json.meshes ?? []).flatMap((mesh) => mesh.primitives ?? []);
   const views = json.bufferViews ?? [];
@@ -69,19 +69,19 @@ export function renameExtension(json: GLTF.IGLTF, from: string, to: string): GLT
 
 export interface CompressionRequest {
   kind: Stored['kind'];
-  /** whether attributes are made smaller first; false: they are stored as they are */
+  /** whether attributes are quantized first; false: they keep their component types */
   quantizes: boolean;
-  /** whether vertices and triangles keep their order, because another file counts them */
+  /** whether vertices and triangles keep their order, because another file refers to them by index */
   keepsOrder: boolean;
-  /** the primitives that are written anew; others keep their order */
+  /** the primitives that are rewritten; others keep their order */
   replaced: ReadonlySet<Primitive>;
-  /** lets these have equal data in common, which before have data of their own */
+  /** makes these primitives, which have their own data before, share equal data */
   share: () => void;
-  /** whether positions may move into other nodes, which quantized ones do */
+  /** whether nodes stay unchanged; otherwise quantized positions may scale and translate them */
   keepsNodes: boolean;
 }
 
-/** Prepares the document for being written compressed, or plain: its writer packs the data. */
+/** Prepares the document to be written compressed or plain; the writer packs the data. */
 export async function compress(document: Document, request: CompressionRequest): Promise<void> {
   const { kind, quantizes, keepsOrder, replaced } = request;
   if (kind === 'draco') {
@@ -108,11 +108,11 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
   const { quantize } = await import('@gltf-transform/functions');
   const bits = POSITION_BITS[kind as keyof typeof POSITION_BITS];
   if (!keepsNodes) {
-    // glTF-Transform moves nodes by the box of positions also where these are integers already, which it leaves or rounds.
+    // glTF-Transform adjusts nodes to the box of positions even where these are integers already, which it leaves or rounds.
     for (const mesh of document.getRoot().listMeshes()) makePositionsFloat(mesh.listPrimitives());
     giveOwnNodes(document);
   }
-  // Numbers of custom attributes can be of any size, such as masses in kg, which few bits would make 0.
+  // Custom attributes can be of any magnitude, such as masses in kg, which few bits would round to 0.
   const pattern = keepsNodes ? /^(?!POSITION|_)/ : /^(?!_)/;
   const patternTargets = keepsNodes ? /^(?!)/ : /^POSITION$/;
   quantizeDifferences(document);
@@ -124,15 +124,15 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
   if (!keepsNodes) putBack.push(followThickness(document));
   await document.transform(quantize({ pattern, patternTargets, quantizePosition: bits, cleanup: false }));
   for (const undo of putBack.reverse()) undo();
-  // glTF-Transform declares it where positions are integers, and so not where they stay floats beside integers.
+  // glTF-Transform declares it only where positions are integers, not where other attributes alone are.
   if (hasQuantized(document)) document.createExtension(KHRMeshQuantization).setRequired(true);
   const root = document.getRoot();
-  // Skins and materials with a thickness were replaced by copies in the scale of the integers.
+  // Skins and materials with a thickness were replaced by copies in the quantized scale; the old ones are unused.
   for (const list of [root.listSkins(), root.listAccessors(), shown])
     for (const property of list) if (isUnused(property, root)) property.dispose();
 }
 
-/** Takes primitives without positions, which cannot be quantized, out of their meshes until the result is called. */
+/** Removes primitives without positions, which cannot be quantized, from their meshes; the returned function puts them back. */
 function takeOutUnplaced(document: Document): () => void {
   const hasUnplaced = (mesh: Mesh) => mesh.listPrimitives().some((one) => !one.getAttribute('POSITION'));
   const taken = document.getRoot().listMeshes().filter(hasUnplaced);
@@ -151,7 +151,7 @@ function takeOutUnplaced(document: Document): () => void {
   };
 }
 
-/** Gives a mesh without primitives one whose box is that of the integers, so that its nodes stay, until the result is called. */
+/** Gives a mesh without primitives one whose box is that of the integers, so that its nodes stay; the returned function removes it. */
 function addStandIn(document: Document, mesh: Mesh): () => void {
   const [buffer] = document.getRoot().listBuffers();
   const corners = Float32Array.of(-1, -1, -1, 1, 1, 1);
@@ -178,8 +178,8 @@ function makeFloat(accessor: Accessor): void {
 }
 
 /**
- * A node that is more than the place of its mesh gets a child for it, since quantized positions scale and move their node. Where it has
- * instances, these are moved instead.
+ * A node with another purpose than to show its mesh gets a child for the mesh, since quantized positions scale and translate their node. If it has
+ * instances, these are adjusted instead.
  */
 function giveOwnNodes(document: Document): void {
   const root = document.getRoot();
@@ -192,7 +192,7 @@ function giveOwnNodes(document: Document): void {
 
 type ReorderMesh = Awaited<ReturnType<typeof loadMeshoptEncoder>>['reorderMesh'];
 
-/** Gives triangles and vertices the order in which they pack best. The primitive has its accessors for itself. */
+/** Sorts triangles and vertices into the order that compresses best. The primitive must not share its accessors. */
 function reorder(primitive: Primitive, reorderMesh: ReorderMesh): void {
   const indices = primitive.getIndices()!;
   const triangles = Uint32Array.from(indices.getArray()!);
@@ -211,7 +211,7 @@ function reorder(primitive: Primitive, reorderMesh: ReorderMesh): void {
   }
 }
 
-/** Draco packs every primitive as a whole, so only those that have all their data in common share what is packed. */
+/** Ends partial sharing of data: Draco packs every primitive as a whole, so only primitives that share all of their data can share the packed data. */
 function unshare(document: Document): void {
   const root = document.getRoot();
   const numbers = new Map(root.listAccessors().map((accessor, i) => [accessor, i]));
@@ -232,7 +232,7 @@ function unshare(document: Document): void {
   for (const primitive of primitives) if (!isPacked(primitive)) owners.give(primitive, 'plain');
 }
 
-/** Gives accessors to those who ask first; others get copies. */
+/** Gives each accessor to the first owner that asks for it; others get copies. */
 class AccessorOwners {
   private readonly owners = new Map<Accessor, string>();
   private readonly copies = new Map<string, Map<Accessor, Accessor>>();

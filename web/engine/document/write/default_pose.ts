@@ -1,10 +1,10 @@
-/** Vertices with their morph targets at the default weights: what a scene shows as long as nothing moves. */
+/** Vertices with their morph targets at the default weights: the scene before any animation. */
 
 import type { Accessor, Node, Primitive } from '@gltf-transform/core';
 
 /**
- * values[3 * v + c] of an attribute of three numbers, with the displacements of the targets that have it; null where the primitive has no
- * such attribute. Weights of the node count in place of those of its mesh.
+ * values[3 * v + c] of an attribute of three components, with the displacements of the targets that have it; null where the primitive has no
+ * such attribute. Weights of the node override those of its mesh.
  */
 export function posed(primitive: Primitive, node: Node, name: 'POSITION' | 'NORMAL'): Float32Array | null {
   const accessor = primitive.getAttribute(name);

@@ -1,6 +1,6 @@
 /**
- * Draco's encoder with one grid of positions for all primitives of a mesh. glTF-Transform asks for a grid of its own for each
- * primitive, on which vertices that two of them share would part.
+ * Draco's encoder with one quantization grid for all primitives of a mesh. glTF-Transform asks for a separate grid for each
+ * primitive, which would separate vertices that two of them share.
  */
 
 import type { Document, Mesh } from '@gltf-transform/core';
@@ -25,13 +25,13 @@ interface ExpertEncoder {
   ): void;
 }
 
-/** What of Draco's encoder is needed here. */
+/** The part of Draco's encoder that is used here. */
 export interface DracoEncoder {
   MeshBuilder: new () => MeshBuilder;
   ExpertEncoder: new (mesh: unknown) => ExpertEncoder;
 }
 
-/** The encoder for the positions of this document as they are. */
+/** The encoder for the present positions of this document. */
 export function withMeshBoxes(encoder: DracoEncoder, document: Document): DracoEncoder {
   const boxes = boxesOf(document);
   /** of the attribute that was added last; its grid is asked for next */

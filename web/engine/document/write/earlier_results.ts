@@ -1,4 +1,4 @@
-/** What an earlier run has written about a mesh, which says nothing of the mesh that takes its place. */
+/** Removes what an earlier run of Limber wrote about a mesh, which does not apply to its replacement. */
 
 import type { Mesh, Primitive } from '@gltf-transform/core';
 
@@ -6,17 +6,17 @@ import type { Mesh, Primitive } from '@gltf-transform/core';
 const EXTRAS = ['limberCalibration', 'limberSettings'];
 /** Attributes that settings of a solver have. */
 const SETTINGS = /^_LIMBER_/;
-/** Attributes that are always written together: one alone is somebody else's. */
+/** Attributes that are always written together: one alone comes from another program. */
 const FIELDS = ['_STRAIN', '_CURVATURE'];
 
-/** Takes the settings and calibration of an earlier run out of the extras. */
+/** Removes the settings and calibration of an earlier run from the extras. */
 export function dropEarlierExtras(mesh: Mesh): void {
   const extras = { ...mesh.getExtras() };
   for (const name of EXTRAS) delete extras[name];
   mesh.setExtras(extras);
 }
 
-/** Takes the attributes away that an earlier run has added. */
+/** Removes the attributes that an earlier run added. */
 export function dropEarlierAttributes(primitive: Primitive): void {
   const semantics = primitive.listSemantics();
   const hasFields = FIELDS.every((semantic) => semantics.includes(semantic));

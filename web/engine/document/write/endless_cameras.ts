@@ -2,7 +2,7 @@
 
 import type { Document, GLTF } from '@gltf-transform/core';
 
-/** Gives cameras of which the file names no far plane one that is infinitely far, which copies of the document keep. */
+/** Sets the far plane of cameras that have none in the file to infinity, which copies of the document keep. */
 export function markEndless(document: Document, { cameras = [] }: GLTF.IGLTF): void {
   const read = document.getRoot().listCameras();
   cameras.forEach(({ perspective }, i) => {
@@ -11,7 +11,7 @@ export function markEndless(document: Document, { cameras = [] }: GLTF.IGLTF): v
 }
 
 /**
- * Takes infinite far planes, for which JSON has no number, out of the JSON that was written for the document. Returns whether there was
+ * Removes infinite far planes, which JSON cannot express, from the JSON that was written for the document. Returns whether there was
  * any.
  */
 export function leaveOutEndless(document: Document, json: GLTF.IGLTF): boolean {

@@ -1,4 +1,4 @@
-/** A model with some bodies replaced, as files of any format that can be written. */
+/** Writes a model with some bodies replaced, in any of the output formats. */
 
 import type { Document, Mesh, Primitive } from '@gltf-transform/core';
 import { additionsOf, copyForExport, GENERATOR, isSmoothed, replaceBodies } from '../export';
@@ -19,7 +19,7 @@ import { writePly } from './ply_file';
 import { rememberShared } from './shared_accessors';
 import type { Companion } from './shared_images';
 
-/** A body with what becomes of it. */
+/** The levels of a body as they are written. */
 export interface ExportedLevels {
   first: ExportedBody;
   /** the further levels that go into the same file, with their largest distances from the original, % of the diagonal */
@@ -111,12 +111,12 @@ function compressFor(
     .every((skin) => skin.getInverseBindMatrices() !== null);
   return compress(document, {
     kind: stored.kind,
-    // What was stored in integers still is.
+    // Attributes that were stored in integers still are.
     quantizes: manner.compression !== 'like-input',
     keepsOrder: manner.keepsOrder,
     replaced,
     share,
-    // What counts the vertices also has their places or distances from them: settings of a solver, and bindings.
+    // Files that refer to vertices by index also have positions or distances: settings of a solver, and bindings.
     keepsNodes: !!model.foreign || !hasAllBinds || manner.keepsOrder,
   });
 }

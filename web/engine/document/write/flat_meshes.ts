@@ -8,7 +8,7 @@ import { worldMatricesOf } from '../placements';
 import { posed } from './default_pose';
 import { uvSetOf } from './uv_set';
 
-/** The triangles of one primitive at one place. Vertices are numbered as in the primitive. */
+/** The triangles of one instance of a primitive, in the space of the scene. Vertices are numbered as in the primitive. */
 export interface FlatPrimitive {
   /** positions[3 * v + c] */
   positions: Float32Array;
@@ -37,7 +37,7 @@ const TRIANGLE_STRIP = 5;
 
 type Matrix = ArrayLike<number>;
 
-/** The nodes of the default scene, of the first where none is, or all nodes where there is no scene. */
+/** The nodes of the default scene, otherwise of the first scene, otherwise all nodes. */
 export function shownNodes(document: Document): Node[] {
   const root = document.getRoot();
   const scene = root.getDefaultScene() ?? root.listScenes()[0];
@@ -73,7 +73,7 @@ export function flatMeshes(document: Document): FlatMesh[] {
 const hasTriangles = (primitive: Primitive): boolean =>
   (primitive.getMode() as number) >= TRIANGLES && (primitive.getAttribute('POSITION')?.getCount() ?? 0) > 0;
 
-/** `world`: of the node, or of one of its instances. */
+/** `world`: the matrix of the node, or of one of its instances. */
 function flatten(primitive: Primitive, node: Node, world: Matrix): FlatPrimitive {
   const own = posed(primitive, node, 'POSITION')!;
   const matrixAt = matricesOf(primitive, node, world);
@@ -133,7 +133,7 @@ function transformed(values: Float32Array, matrixAt: (v: number) => Matrix, w: n
   return result;
 }
 
-/** The matrix that takes normals to normals, of any length: cofactors turn where the matrix mirrors. */
+/** The matrix that transforms normals, up to their length: that of the cofactors, which also handles reflections. */
 function cofactors(m: Matrix): number[] {
   const result = new Array<number>(16).fill(0);
   const sign = determinant(m) < 0 ? -1 : 1;
@@ -158,7 +158,7 @@ function makeUnit(vectors: Float32Array): void {
   }
 }
 
-/** `size` numbers of each element, from number `first` on. */
+/** `size` components of each element, from component `first` on. */
 function valuesOf(accessor: Accessor, size: number, first = 0): Float32Array {
   const [values, element] = [new Float32Array(size * accessor.getCount()), [] as number[]];
   for (let v = 0; v < accessor.getCount(); ++v) {
@@ -168,7 +168,7 @@ function valuesOf(accessor: Accessor, size: number, first = 0): Float32Array {
   return values;
 }
 
-/** Three vertices for each triangle of a list, strip or fan; the last two change places where the space is mirrored. */
+/** Three vertices for each triangle of a list, strip or fan; the last two are swapped where the matrix is a reflection. */
 function trianglesOf(primitive: Primitive, count: number, isMirrored: boolean): Uint32Array {
   const indices = primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: count }, (_, i) => i);
   const mode = primitive.getMode() as number;

@@ -16,7 +16,7 @@ import { addressOf, firstWithBytes, imageFiles, imageNames } from './shared_imag
 import type { Companion } from './shared_images';
 import { rememberTargetNames } from './target_names';
 
-/** What goes into the JSON besides what the document has. */
+/** What is added to the JSON of the document. */
 export interface Additions {
   foreign: Foreign | null;
   /** numbers of the meshes whose primitives have new vertices */
@@ -41,7 +41,7 @@ export async function writeGlb(document: Document, additions: Additions): Promis
   const firsts = firstWithBytes(document);
   const textures = document.getRoot().listTextures();
   const copies = textures.filter((texture) => firsts.has(texture) && firsts.get(texture) !== texture);
-  // What has no bytes gets no view of its own.
+  // A texture without bytes gets no buffer view.
   for (const texture of copies) texture.setImage(null as unknown as Uint8Array<ArrayBuffer>);
   const putTargetNames = rememberTargetNames(document);
   const io = await createGltfWriter(document, additions.keepsCorners);
@@ -59,7 +59,7 @@ export async function writeGlb(document: Document, additions: Additions): Promis
   return isChanged ? withJson(bytes, withAdditions(json, additions)) : bytes;
 }
 
-/** An image whose bytes were not there stays a reference, and one that was nowhere stays so. */
+/** Restores the address of an image whose bytes were missing, so that it stays a reference. */
 function nameMissing(image: GLTF.IImage, texture: Texture): void {
   if (texture.getURI() !== '') image.uri = texture.getURI();
 }
@@ -109,7 +109,7 @@ function withAdditions(json: GLTF.IGLTF, additions: Additions): GLTF.IGLTF {
   return isRatified ? renameExtension(json, MESHOPT, RATIFIED_MESHOPT) : json;
 }
 
-/** Names the mode in which triangles were packed, see `packedInOrder`. */
+/** Declares the mode in which triangles were packed, see `packedInOrder`. */
 function namePackedInOrder({ bufferViews = [] }: GLTF.IGLTF): void {
   for (const { extensions } of bufferViews) {
     const packed = extensions?.[MESHOPT] as { mode: string } | undefined;

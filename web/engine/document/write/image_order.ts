@@ -1,6 +1,6 @@
 /**
- * The writer of binary files takes it that images with bytes come before those without, which are references to missing files and
- * images that others have the bytes of. Otherwise it ends, or gives images the bytes of others.
+ * The writer of binary files assumes that images with bytes come before those without, which are references to missing files and
+ * duplicates of other images. Otherwise it fails, or assigns images the bytes of others.
  */
 
 import { Extension, PropertyType } from '@gltf-transform/core';
@@ -8,7 +8,7 @@ import type { Document, GLTF, WebIO, WriterContext } from '@gltf-transform/core'
 
 const NAME = 'LIMBER_image_order';
 
-/** Sorts images while buffers are written; nothing of it stays in the file. */
+/** Sorts images while buffers are written; it leaves no trace in the file. */
 class ImageOrder extends Extension {
   static override readonly EXTENSION_NAME = NAME;
   override readonly extensionName = NAME;
@@ -24,7 +24,7 @@ class ImageOrder extends Extension {
   write = (): this => this;
 }
 
-/** The numbers of all, those that have bytes first. */
+/** The indices of all images, those with bytes first. */
 function bytesFirst(hasBytes: boolean[]): number[] {
   const all = [...hasBytes.keys()];
   return [...all.filter((i) => hasBytes[i]), ...all.filter((i) => !hasBytes[i])];

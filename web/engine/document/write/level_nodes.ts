@@ -6,14 +6,14 @@ import { INSTANCING } from '../placements';
 import { channelsOf, moreThanMesh, moveToChild } from './child_nodes';
 
 const MSFT_LOD = 'MSFT_lod';
-/** Lines of a picture in which a level is to differ from the first by one line at most. */
+/** The height in pixels of the screen on which a level may differ from the original by one pixel. */
 export const LINES = 1080;
 
-/** The nodes of one place in the scene, first level first. */
+/** The nodes that show the levels of one mesh, first level first. */
 export interface LevelNodes {
   /** their numbers in the file */
   nodes: number[];
-  /** the share of the picture's height from which on each is shown */
+  /** the screen coverage, as a share of its height, down to which each is shown */
   coverage: number[];
 }
 
@@ -52,7 +52,7 @@ export function insertLevels(
   return inserted;
 }
 
-/** A node at the same place with another mesh; animations of weights move it as well. */
+/** A copy of a node with another mesh; animations of weights apply to it as well. */
 function copyNode(document: Document, first: Node, mesh: Mesh, name: string): Node {
   const copy = document
     .createNode(name)

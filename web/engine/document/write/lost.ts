@@ -1,4 +1,4 @@
-/** What formats without a scene cannot hold of a document, in plain words. */
+/** What OBJ and PLY cannot hold of a document, in words for the user. */
 
 import type { Material, Node, Primitive, Root, Scene } from '@gltf-transform/core';
 import {
@@ -19,7 +19,7 @@ import { uvSetOf, uvSetsOf } from './uv_set';
 /** glTF's primitive mode. */
 const TRIANGLES = 4;
 
-/** Extensions of how numbers and pictures are stored, not of what a scene shows: these are written otherwise, or named themselves. */
+/** Extensions that only change how data are stored: nothing is lost with them. */
 const STORING: readonly string[] = [
   DRACO,
   MESHOPT,
@@ -65,14 +65,14 @@ export function lostIn(
   ];
 }
 
-/** Whether it has a mesh at a node that is not among these. */
+/** Whether the scene has a mesh at a node that is not among these. */
 function showsOthers(scene: Scene, nodes: ReadonlySet<Node>): boolean {
   let shows = false;
   scene.traverse((node) => (shows ||= node.getMesh() !== null && !nodes.has(node)));
   return shows;
 }
 
-/** OBJ and PLY have one set of UVs and of colours, and what a list of vertices has, all of its primitives have. */
+/** Attributes that are lost: OBJ and PLY have one set of UVs and of colours, and all primitives in a list of vertices must have the same attributes. */
 function lostAttributes(format: WrittenFormat, root: Root): string[] {
   const ofMeshes = root.listMeshes().map((mesh) => mesh.listPrimitives().filter(hasTriangles));
   const primitives = ofMeshes.flat();
@@ -110,7 +110,7 @@ function lostUvs(primitives: Primitive[]): string[] {
 /** The name of an attribute of a primitive. */
 type NameOf = (primitive: Primitive) => string;
 
-/** Whether some have the attribute, and not all. */
+/** Whether some but not all primitives have the attribute. */
 function isOfSome(primitives: Primitive[], nameOf: NameOf): boolean {
   const having = primitives.filter((primitive) => primitive.getAttribute(nameOf(primitive)) !== null).length;
   return having > 0 && having < primitives.length;
@@ -125,7 +125,7 @@ function hasOpacity(primitive: Primitive): boolean {
   return false;
 }
 
-/** Textures that MTL has no word for. */
+/** Textures that MTL cannot express. */
 const unsaid = (material: Material): string[] => [
   ...(material.getMetallicRoughnessTexture() ? ['metallic-roughness textures'] : []),
   ...(material.getOcclusionTexture() ? ['occlusion textures'] : []),

@@ -1,6 +1,6 @@
 /**
- * Takes the place of the package ndarray-pixels in bundles, see the Vite configurations. As soon as it is imported it loads sharp, a
- * native program, in Node, and makes code of text, which the page forbids; and no function of glTF-Transform that is called here
+ * Replaces the package ndarray-pixels in bundles, see the Vite configurations. That package loads sharp, a
+ * native library, on import in Node, and evaluates text as code, which the page forbids; and no function of glTF-Transform that is called here
  * reads or writes pixels.
  */
 

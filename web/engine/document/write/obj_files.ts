@@ -9,15 +9,15 @@ import { imageFiles, imageNames } from './shared_images';
 import type { Companion } from './shared_images';
 import { sameValues, shortest, toSrgb } from './text_values';
 
-/** Lines are joined in pieces, since one text of a large mesh could be longer than texts may be. */
+/** Lines are joined in chunks, since the text of a large mesh could exceed the maximum length of a string. */
 const LINES_A_PIECE = 1 << 14;
 
 /** The libraries of an input that say what its materials look like, as the model has them. */
 type InputLibraries = Pick<OpenModel, 'libraries' | 'carried'>;
 
 /**
- * `name`.obj, and `stem`.mtl with pictures where there are materials. Where the input has `libraries`, they are named instead, and
- * `carried` is what is written of them. `mark`: the first line, without its #.
+ * `name`.obj, and `stem`.mtl with pictures if there are materials. If the input has `libraries`, the OBJ refers to them instead, and
+ * `carried` are those that are written. `mark`: the first line, without its #.
  */
 export function writeObj(
   document: Document,
@@ -84,7 +84,7 @@ class TextPieces {
   }
 }
 
-/** Objects of one name are one object for readers, so that a second one gets a number. */
+/** A unique name: readers merge objects with equal names, so that a second one gets a number. */
 function freeName(name: string, taken: Set<string>): string {
   const plain = name.replaceAll(/[\r\n]+/g, ' ').trim() || 'mesh';
   let free = plain;
@@ -117,7 +117,7 @@ function writeMesh(
     const normals = sameValues(normalLines(primitive));
     lines.addAll(uvs.values);
     lines.addAll(normals.values);
-    // Readers give the material that was named last to all faces that follow.
+    // In OBJ a material applies to all faces until the next one is named.
     if (material || primitives.length > 1 || !materials.isEmpty)
       lines.add(`usemtl ${materials.nameOf(material)}`);
     const corner = (v: number) => {

@@ -1,4 +1,4 @@
-/** The material library of a written OBJ: what MTL can say of glTF's materials, with its extension for such ones (Pr, Pm, norm). */
+/** The material library of a written OBJ: glTF's materials as far as MTL can express them, with its PBR extension (Pr, Pm, norm). */
 
 import type { Material, Texture } from '@gltf-transform/core';
 import type { SourceFile } from '../model';
@@ -21,7 +21,7 @@ export class MaterialLibrary {
     return this.names.size === 0;
   }
 
-  /** A name that no other material has, unless names stay. */
+  /** The unique name of a material; with `isKept` its own name. */
   nameOf(material: Material | null): string {
     const known = this.names.get(material);
     if (known !== undefined) return known;
@@ -63,7 +63,7 @@ export class MaterialLibrary {
     return [
       `Kd ${[red, green, blue].map(shortest).join(' ')}`,
       ...(emissive.some((value) => value > 0) ? [`Ke ${emissive.map(shortest).join(' ')}`] : []),
-      // As Blender turns one into the other.
+      // As Blender converts one to the other.
       `Ns ${shortest(1000 * (1 - roughness) ** 2)}`,
       `d ${shortest(material.getAlphaMode() === 'OPAQUE' ? 1 : alpha)}`,
       `Pr ${shortest(roughness)}`,

@@ -1,4 +1,4 @@
-/** In which format a result is written, by the name of its file. */
+/** The format in which a result is written, by the name of its file. */
 
 import type { Format } from '../model';
 import { WRITTEN_FORMATS } from '../../core/output_words';
@@ -9,11 +9,11 @@ export interface OutputForm {
   isZipped: boolean;
 }
 
-/** What is asked of the files besides their format. */
+/** Options of the written files besides their format. */
 export interface OutputManner {
   compression: Compression;
   style: LevelStyle;
-  /** whether another file counts vertices or triangles of the result */
+  /** whether another file refers to vertices or triangles of the result by index */
   keepsOrder: boolean;
 }
 

@@ -1,8 +1,8 @@
-/** Morph targets in integers: their values are differences, which have signs and may reach beyond 1. */
+/** Quantizes morph targets, whose values are differences: signed, and possibly beyond 1. */
 
 import type { Accessor, Document, Mesh, PrimitiveTarget } from '@gltf-transform/core';
 
-/** Bits with their sign, of which the attributes themselves have as many. */
+/** Bits including the sign, as many as the attributes themselves have. */
 const BITS: [RegExp, number][] = [
   [/^(NORMAL|TANGENT)$/, 10],
   [/^TEXCOORD_/, 12],
@@ -11,7 +11,7 @@ const BITS: [RegExp, number][] = [
 /** The integer that stands for 1. */
 const ONE = 32767;
 
-/** Gives all differences but those of positions signed integers where they lie in [-1, 1]; others stay floats. */
+/** Converts all differences but those of positions to signed integers if they lie in [-1, 1]; others stay floats. */
 export function quantizeDifferences(document: Document): void {
   const known = new Map<Accessor, Accessor>();
   for (const target of new Set(document.getRoot().listMeshes().flatMap(targetsOf)))
@@ -39,7 +39,7 @@ function toIntegers(accessor: Accessor, bits: number): Accessor {
   return accessor.clone().setArray(integers).setNormalized(true);
 }
 
-/** Takes targets that move no vertices, which cannot be quantized with others, out of their primitives until the result is called. */
+/** Removes targets without displacement, which cannot be quantized with others, from their primitives; the returned function puts them back. */
 export function takeOutUnmoving(document: Document): () => void {
   const primitives = document
     .getRoot()

@@ -1,8 +1,8 @@
-/** Data that several primitives have in common: a geometry with many materials is one list of positions for all of them. */
+/** Data shared by several primitives: a geometry with many materials has one list of positions for all of them. */
 
 import type { Accessor, Document, Primitive, PrimitiveTarget } from '@gltf-transform/core';
 
-/** An accessor of a primitive and what it is there. */
+/** An accessor of a primitive and its role there. */
 interface Use {
   /** `indices`, a semantic, or a semantic behind the number of a morph target */
   name: string;
@@ -10,7 +10,7 @@ interface Use {
   put: (other: Accessor) => unknown;
 }
 
-/** What stands for what a primitive did not have, such as masses: what it has is then as common as its positions were. */
+/** The attribute whose sharing decides for new attributes, such as masses, that the primitive did not have before. */
 const STAND_IN = 'POSITION';
 
 /**
@@ -57,7 +57,7 @@ const attributesOf = (holder: Primitive | PrimitiveTarget, prefix: string): Use[
     put: (other) => holder.setAttribute(semantic, other),
   }));
 
-/** What equal accessors have in common beside their bytes. Draco packs what has morph targets in another order of vertices. */
+/** What equal accessors share besides their bytes. Draco packs primitives with morph targets in another vertex order. */
 function kindOf(primitive: Primitive, accessor: Accessor): string {
   const { length } = bytesOf(accessor);
   const form = [accessor.getType(), accessor.getComponentType(), accessor.getNormalized(), length];

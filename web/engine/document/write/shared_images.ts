@@ -1,4 +1,4 @@
-/** Images of a document as files or views: equal bytes once, under names that stay in the folder. */
+/** Images of a document as files or buffer views: equal ones once, under names inside the folder. */
 
 import type { Document, Texture } from '@gltf-transform/core';
 import { ImageUtils } from '@gltf-transform/core';
@@ -45,7 +45,7 @@ export function imageNames(document: Document, stem: string): Map<Texture, strin
 /** A file beside a written model. */
 export interface Companion {
   name: string;
-  /** of a picture or a library of the input, which do not change; null: they are made */
+  /** the bytes of a picture or library that is copied from the input; null: the file is generated */
   bytes: Uint8Array | null;
 }
 

@@ -3,7 +3,7 @@
 import type { Accessor } from '@gltf-transform/core';
 import { emptyLike, unitOf } from '../blend';
 
-/** What integers an accessor can have, and how many of them are 1. */
+/** The range of an accessor's integers, and the integer that stands for 1. */
 interface Grid {
   scale: number;
   least: number;

@@ -1,4 +1,4 @@
-/** Names of morph targets: the reader gives numbers to targets without a name, and the writer writes these as names. */
+/** Keeps the names of morph targets: the reader names unnamed targets by their numbers, and the writer would write these names. */
 
 import type { Document, GLTF, Mesh } from '@gltf-transform/core';
 
@@ -16,7 +16,7 @@ export function rememberTargetNames(document: Document): (json: GLTF.IGLTF) => b
   };
 }
 
-/** What the extras of the mesh have as names, where the reader has made others of these; null where they are the same. */
+/** The names in the extras of the mesh if the reader replaced some of them; null otherwise. */
 function madeUpNames(mesh: Mesh): { before: unknown } | null {
   const before = mesh.getExtras().targetNames;
   const own: unknown[] = Array.isArray(before) ? before : [];

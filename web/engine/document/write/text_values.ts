@@ -1,4 +1,4 @@
-/** Numbers as text, colours for formats that have sRGB, and lines that are equal. */
+/** Numbers as text, colours in sRGB, and the removal of duplicate lines. */
 
 /** The shortest decimal that reads back as the same 32-bit number. */
 export function shortest(value: number): string {

@@ -1,4 +1,4 @@
-/** Thickness of materials (KHR_materials_volume): a length in units of the mesh, which quantizing makes other ones. */
+/** Thickness of materials (KHR_materials_volume): a length in units of the mesh, which quantizing changes. */
 
 import { KHRMaterialsVolume } from '@gltf-transform/extensions';
 import type { Document, Material, Mesh, Primitive } from '@gltf-transform/core';
@@ -14,7 +14,7 @@ const isThick = (material: Material | null): material is Material =>
 const variantsOf = (primitive: Primitive): MappingList | null =>
   primitive.getExtension<MappingList>(VARIANTS);
 
-/** What a primitive shows, by default and in variants. */
+/** The materials of a primitive, by default and in variants. */
 const materialsOf = (primitive: Primitive): (Material | null)[] => [
   primitive.getMaterial(),
   ...(variantsOf(primitive)?.listMappings() ?? []).map((mapping) => mapping.getMaterial()),
@@ -45,7 +45,7 @@ export function followThickness(document: Document): () => void {
   };
 }
 
-/** Takes thick materials off the primitives until the result is called. */
+/** Removes thick materials from the primitives; the returned function puts them back. */
 function takeOutThick(mesh: Mesh): () => void {
   const taken = mesh.listPrimitives().flatMap((primitive) => {
     const material = primitive.getMaterial();
@@ -55,7 +55,7 @@ function takeOutThick(mesh: Mesh): () => void {
   return () => taken.forEach(({ primitive, material }) => primitive.setMaterial(material));
 }
 
-/** Adds a vertex of thickness 1 to the mesh; the result removes it and returns the thickness that it has then. */
+/** Adds a vertex with a material of thickness 1 to the mesh; the returned function removes it and returns the thickness after quantizing. */
 function addProbe(document: Document, mesh: Mesh): () => number {
   const positions = mesh.listPrimitives()[0].getAttribute('POSITION')!;
   const vertex = document
@@ -85,7 +85,7 @@ function scaleThickness(mesh: Mesh, scale: number): void {
     if (isThick(material)) primitive.setMaterial(scaled(material));
     const variants = variantsOf(primitive);
     if (!variants || !materialsOf(primitive).some(isThick)) continue;
-    // Meshes can share a list, as levels do, and each has its own units.
+    // Meshes, such as levels, can share a list, but each has its own units.
     const list = variants.clone();
     for (const mapping of variants.listMappings()) {
       const own = mapping.getMaterial();

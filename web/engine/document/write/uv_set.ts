@@ -12,8 +12,8 @@ export const uvSetsOf = (primitive: Primitive): string[] =>
   primitive.listSemantics().filter((name) => name.startsWith(KIND));
 
 /**
- * The set that the picture of the material's colour is on, else that of its emission, else that of its normals. The first set where the
- * material has none of them, or the primitive has not the set that it names; so the primitive may not have it.
+ * The set that the material's colour texture uses, else that of its emission, else that of its normals. The first set if the
+ * material has none of them, or the primitive lacks the set that it names; so the primitive may lack the returned set.
  */
 export function uvSetOf(primitive: Primitive): string {
   const material = primitive.getMaterial();

@@ -1,4 +1,4 @@
-/** The files that an OBJ written in another place needs where it names the libraries of its input again. */
+/** The files that an OBJ needs beside it when it is written to another folder and still refers to the libraries of its input. */
 
 import { isSentence } from '../../checks/reading_failure';
 import type { SourceFile } from '../../model';
@@ -43,7 +43,7 @@ function pathBelow(main: string, name: string): string | null {
   return path?.startsWith(folder) ? path.slice(folder.length) : null;
 }
 
-/** None where the library is too large or no text, as it is not read then. */
+/** None where the library is too large or not text, since it is not read then. */
 function picturesOf(library: SourceFile): string[] {
   if (library.bytes.length > MOST_LIBRARY_BYTES) return [];
   try {

@@ -1,4 +1,4 @@
-/** Where the material libraries of an OBJ and the pictures of a library can be: paths below the folder of the OBJ, first first. */
+/** The paths at which the material libraries of an OBJ and the pictures of a library are searched, below the folder of the OBJ, in order. */
 
 import { companionPath } from '../../checks/companions';
 
@@ -28,14 +28,14 @@ export const namedLibraries = (statements: readonly string[]): string[] => [
 export const picturePaths = (main: string, library: string, name: string): string[] =>
   pathsOf([library, main], name);
 
-/** Beside one of these files; where the name leads elsewhere, as those of other machines do, the last part of it there. */
+/** Paths beside one of these files; of a name with a foreign path, as from other machines, its last part there. */
 function pathsOf(files: string[], name: string): string[] {
   const last = name.split(/[/\\]/).pop()!;
   const paths = [name, last].flatMap((one) => files.map((file) => besides(file, one)));
   return [...new Set([...paths, besides('', last)])].filter((path) => path !== null);
 }
 
-/** Null where it is outside. Names in these files are not percent-encoded, as addresses in a glTF are. */
+/** A path beside a file; null outside of the folder. Unlike addresses in a glTF, names here are not percent-encoded. */
 const besides = (file: string, name: string): string | null =>
   companionPath(file, name.replaceAll('%', '%25'));
 

@@ -1,4 +1,4 @@
-/** What MTL says of a material, as a material of glTF. docs/formats.md has the rules where the two differ, with their sources. */
+/** Converts MTL materials to glTF materials. docs/formats.md has the rules where the two differ, with their sources. */
 
 import type { Material, Texture } from '@gltf-transform/core';
 import type { LeftOut } from './left_out';
@@ -8,12 +8,12 @@ import type { MtlMap } from './mtl_map';
 import { hasAlpha } from './pictures';
 import type { Pictures } from './pictures';
 
-/** Exponents of highlights go up to here. */
+/** The largest specular exponent. */
 const MOST_EXPONENT = 1000;
 
 const WHITE: Rgb = [1, 1, 1];
 
-/** Keywords of pictures by what they are for; of several that a material has the first. */
+/** Keywords of maps by their use; the first one that a material has is taken. */
 const MAPS = {
   colour: ['map_kd'],
   opacity: ['map_d'],
@@ -26,17 +26,17 @@ const MAPS = {
 
 type MapUse = keyof typeof MAPS;
 
-/** Keywords of the pictures that are looked for. */
+/** Keywords of all maps that are used. */
 export const READ_MAPS: readonly string[] = Object.values(MAPS).flat();
 
-/** Whether any picture is looked for. */
+/** Whether the material has a map that is used. */
 export const hasMaps = ({ material }: FoundMaterial): boolean =>
   READ_MAPS.some((keyword) => material.maps.has(keyword));
 
-/** Stems of pictures that hold normals although a library calls them bump maps, as those of Blender do. */
+/** File names of normal maps that a library declares as bump maps, as Blender does. */
 const NORMAL_NAME = /normal|(^|[^a-z])(norm|nrm|nor)([^a-z]|$)|_n$/i;
 
-/** A picture that is there, and how it lies on the surface. */
+/** A texture that was found, and how it is mapped to the surface. */
 interface Shown {
   texture: Texture;
   map: MtlMap;
@@ -86,13 +86,13 @@ function dressColour(material: Material, mtl: MtlMaterial, { find, pictures, lef
   if (alpha < 1 || isInColour) material.setAlphaMode('BLEND');
 }
 
-/** A grey beside a picture is what programs leave there, and many pictures would be dark or black by it. */
+/** A grey colour beside a map is a leftover of the exporting program, and would make many maps dark or black. */
 function tintOf(colour: Rgb, isTextured: boolean): Rgb {
   const [red, green, blue] = colour;
   return isTextured && red === green && green === blue ? WHITE : (colour.map(toUnit) as Rgb);
 }
 
-/** An opacity of 0 is that of programs which write the transparency in its place, or the opacity for the transparency. */
+/** The opacity. A value of 0 comes from programs that swap opacity and transparency. */
 function opacityOf({ numbers }: MtlMaterial): number {
   const opacity = toUnit(numbers.get('d') ?? 1 - (numbers.get('tr') ?? 0));
   return opacity === 0 ? 1 : opacity;
@@ -104,7 +104,7 @@ function dressSurface(material: Material, mtl: MtlMaterial, { find, pictures, le
   const [roughness, metalness] = [find('roughness'), find('metalness')];
   const metallic = toUnit(mtl.numbers.get('pm') ?? 0);
   const isPacked = roughness !== null && roughness.texture === metalness?.texture;
-  // Of a grey picture, the green channel is the roughness; the blue one counts for nothing where nothing is metal.
+  // In a grey map the green channel is the roughness; the blue one has no effect where the metallic factor is 0.
   if (roughness && (isPacked || (!metalness && metallic === 0))) {
     material.setMetallicRoughnessTexture(roughness.texture);
     pictures.lay(material.getMetallicRoughnessTextureInfo()!, roughness.map);
@@ -115,7 +115,7 @@ function dressSurface(material: Material, mtl: MtlMaterial, { find, pictures, le
   material.setRoughnessFactor(roughnessOf(mtl)).setMetallicFactor(metallic);
 }
 
-/** Blender's, where the file has none of its own: highlights of an exponent of 1,000 are those of a mirror. */
+/** The file's roughness, or Blender's formula: a specular exponent of 1,000 is a mirror. */
 function roughnessOf({ numbers, colours }: MtlMaterial): number {
   const own = numbers.get('pr');
   if (own !== undefined) return toUnit(own);
@@ -125,7 +125,7 @@ function roughnessOf({ numbers, colours }: MtlMaterial): number {
   return 1 - Math.sqrt(toUnit(exponent / MOST_EXPONENT));
 }
 
-/** Light above 1 keeps its hue. */
+/** Emission above 1 is scaled down, which keeps its hue. */
 function dressEmission(material: Material, { colours }: MtlMaterial, { find, pictures }: Context): void {
   const shown = find('emission');
   const own = colours.get('ke') ?? [0, 0, 0];
@@ -144,7 +144,7 @@ function dressNormals(material: Material, context: Context): void {
   context.pictures.lay(material.getNormalTextureInfo()!, shown.map);
 }
 
-/** A bump map whose name says that it has normals. */
+/** A bump map whose name says that it is a normal map. */
 function normalsAmongBumps({ find, leftOut }: Context): Shown | null {
   const shown = find('bumps');
   if (!shown) return null;

@@ -1,9 +1,9 @@
-/** What of the materials of an OBJ does not come into the document, as notes. */
+/** Notes on the parts of an OBJ's materials that are left out of the document. */
 
 import { counted } from '../../../core/words';
 import { excerpt } from '../../text_scanner';
 
-/** At most so many names stand in a note. */
+/** The most names that a note lists. */
 const NAMES_SHOWN = 5;
 
 /** A path that can lead out of a folder. */
@@ -12,7 +12,7 @@ const ELSEWHERE = /^([a-z]:|[/\\])|\.\./i;
 interface Kind {
   one: string;
   several: string;
-  /** what becomes of it, why, and the cure */
+  /** what happens to it, why, and the cure */
   fate: string;
 }
 
@@ -65,7 +65,7 @@ export class LeftOut {
     this.names.get(kind)!.add(name);
   }
 
-  /** Libraries that could have materials which no other has; none are no news. */
+  /** Adds missing libraries that may define materials found nowhere else. */
   addMissingLibraries(names: string[]): void {
     this.missingLibraries = names;
   }

@@ -8,7 +8,7 @@ import { readMtl } from './mtl';
 import type { MtlMaterial } from './mtl';
 import type { NamedFiles } from './named_files';
 
-/** A material with the name of the library that it is from: its pictures are named from there. */
+/** A material with the name of its library, from which its pictures are resolved. */
 export interface FoundMaterial {
   material: MtlMaterial;
   library: string;
@@ -24,8 +24,8 @@ interface Asked {
 }
 
 /**
- * By name; the first library that has a material of this name says what it is. Where none has a material, it is said which libraries are
- * missing, or that none of those that are there has it. `unnamed`: the library of the OBJ's own name, where
+ * The materials by name, each from the first library that defines it. If none defines a material, a note says which libraries are
+ * missing, or that none of those found has it. `unnamed`: the library with the OBJ's own name, where
  * it has materials and no statement names it.
  */
 export function findMaterials(
@@ -41,7 +41,7 @@ export function findMaterials(
       if (!found.has(name)) found.set(name, { material, library: library.name });
   }
   const unknown = [...used].filter((name) => !found.has(name));
-  // The last one need not be there, as nothing names it.
+  // The last one may be missing, since nothing names it.
   const missing = namedLibraries(statements).filter((_, i) => libraries[i] === null);
   if (unknown.length > 0) leftOut.addMissingLibraries(missing);
   if (missing.length === 0 && libraries.some((library) => library !== null))

@@ -12,18 +12,18 @@ export interface MtlMaterial {
   /** not negative; linear light, see docs/formats.md */
   colours: Map<string, Rgb>;
   numbers: Map<string, number>;
-  /** pictures; of several lines the first */
+  /** maps; of several lines with one keyword the first */
   maps: Map<string, MtlMap>;
 }
 
 const COLOURS = new Set(['kd', 'ks', 'ke']);
 const NUMBERS = new Set(['ns', 'd', 'tr', 'pr', 'pm', 'illum']);
-/** It could name millions that are not there, and each is looked for. */
+/** The limit on the pictures of a library, each of which is searched for. */
 const MOST_PICTURES = 10_000;
 const MAP = /^(map_|bump$|norm|disp|decal|refl)/;
 
 /**
- * The materials of these names, as far as the library has them; of several with one name the first. Throws an Error with one sentence
+ * The materials with these names that the library defines; of several with one name the first. Throws an Error with one sentence
  * where the text is not UTF-8.
  */
 export function readMtl({ name, bytes }: SourceFile, wanted: ReadonlySet<string>): Map<string, MtlMaterial> {
@@ -41,7 +41,7 @@ export function readMtl({ name, bytes }: SourceFile, wanted: ReadonlySet<string>
   return materials;
 }
 
-/** The pictures that the library names, whatever they are for, up to so many that no library has more. Throws as `readMtl`. */
+/** The pictures that the library names for any use, at most MOST_PICTURES. Throws as `readMtl` does. */
 export function picturesNamed({ name, bytes }: SourceFile): string[] {
   const scan = new TextScanner(name, bytes);
   const lines = new Set<string>();

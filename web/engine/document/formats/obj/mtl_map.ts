@@ -12,7 +12,7 @@ export interface MtlMap {
   isClamped: boolean;
 }
 
-/** How many words follow an option: exactly one, or at most so many numbers. */
+/** What follows an option: exactly one word, or up to a number of numbers. */
 const WORDS_OF = new Map<string, { word: true } | { numbers: number }>([
   ...['-blendu', '-blendv', '-cc', '-clamp', '-colorspace', '-imfchan', '-type'].map(
     (option) => [option, { word: true }] as const,
@@ -24,7 +24,7 @@ const WORDS_OF = new Map<string, { word: true } | { numbers: number }>([
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
-/** No system has longer paths. */
+/** The most characters that are read of a line; no path is longer. */
 const MOST_LETTERS = 1 << 13;
 
 /** The rest of a line after its keyword; options may stand on either side of the name. */
@@ -56,7 +56,7 @@ function argumentsOf(option: string, following: RegExpExecArray[]): string[] | n
   return words.slice(0, Math.min(form.numbers, other < 0 ? words.length : other));
 }
 
-/** With the blanks between its words. */
+/** The file name, with the blanks between its words. */
 function nameOf(line: string, words: RegExpExecArray[]): string {
   if (words.length === 0) return '';
   const last = words[words.length - 1];

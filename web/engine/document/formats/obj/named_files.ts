@@ -1,4 +1,4 @@
-/** Files by their paths; where none has a path to the letter, one whose name differs in case, as on Windows and macOS. */
+/** Files by their paths; without an exact match, letter case is ignored, as on Windows and macOS. */
 
 import type { SourceFile } from '../../model';
 import { pathOf } from './companion_paths';

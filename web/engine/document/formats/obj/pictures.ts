@@ -1,4 +1,4 @@
-/** The pictures of materials as textures of a document, as far as glTF takes them. */
+/** The pictures of materials as textures of a document, if glTF supports their format. */
 
 import { TextureInfo } from '@gltf-transform/core';
 import type { Document, Texture } from '@gltf-transform/core';
@@ -12,9 +12,9 @@ import type { LeftOut } from './left_out';
 import type { MtlMap } from './mtl_map';
 import type { NamedFiles } from './named_files';
 
-/** Mark and first chunk of a PNG. */
+/** Bytes of the signature and the first chunk of a PNG. */
 const PNG_HEADER_BYTES = 33;
-/** Where the first chunk of a PNG has its colour type, and the types that have alpha. */
+/** The offset of the colour type in the first chunk of a PNG, and the types with alpha. */
 const PNG_COLOUR_TYPE = 25;
 const PNG_TYPES_WITH_ALPHA = [4, 6];
 
@@ -28,7 +28,7 @@ export class Pictures {
     private readonly leftOut: LeftOut,
   ) {}
 
-  /** One texture for each file; null for what is not there or not of a kind that glTF takes, which is said. */
+  /** The texture of a file, made once; null, with a note, for files that are missing or of a format that glTF does not support. */
   textureOf(library: string, name: string): Texture | null {
     const file = this.files.find(picturePaths(this.main, library, name));
     if (!file) {
@@ -40,7 +40,7 @@ export class Pictures {
   }
 
   /**
-   * Lays a texture as the line of its picture says. MTL counts v from the lower edge and glTF from the upper one: 1 - v becomes
+   * Maps a texture as the options of its line say. MTL counts v from the lower edge and glTF from the upper one: 1 - v becomes
    * 1 - (scale v + offset).
    */
   lay(info: TextureInfo, { scale, offset, isClamped }: MtlMap): void {
