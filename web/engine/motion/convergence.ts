@@ -4,18 +4,18 @@ import type { MotionComparison } from '../core/core';
 import { counted } from '../core/words';
 import { OPTIONS } from '../settings/options';
 
-/** The share of the deviation that substeps may make up; as kConverged of wasm/compare/compare_motion.h. */
+/** The largest share of the deviation that the error of the substeps may have; as kConverged of wasm/compare/compare_motion.h. */
 const CONVERGED = 0.25;
 
-/** What a comparison says of its substeps. */
+/** The fields of a comparison that describe its convergence. */
 export type Convergence = Pick<
   MotionComparison,
   'substeps' | 'substepDeviation' | 'deviationMean' | 'isConverged'
 >;
 
 /**
- * The substeps at which the original would have converged: what is left falls about as the substep does. Rounded up to one, two
- * or five times a power of ten, as far as a step can have so many.
+ * The substeps at which the original would have converged, since the error falls about in proportion to the substep. Rounded up to one, two
+ * or five times a power of ten, up to the maximum of a step.
  */
 export function substepsToTake({ substeps, substepDeviation, deviationMean }: Convergence): number {
   const { max } = OPTIONS.substeps;

@@ -1,17 +1,17 @@
-/** How a node turns a mesh, so that what is up in the scene is up where gravity pulls. */
+/** The rotation of a mesh by its node, so that gravity pulls down in the scene. */
 
 import { cross, dot } from '../core/vectors';
 import type { Vector } from '../core/vectors';
 
-/** A rotation, row by row: from the space of a mesh to one that stands as the scene does, with the mesh's own size and place. */
+/** A rotation, row by row: from the space of a mesh to one with the axes of the scene, but the mesh's own scale and origin. */
 export type SceneRotation = readonly number[];
 
-/** Turns by less than this, per component, change no picture. */
+/** Rotations that differ from the identity by less than this, per component, are invisible. */
 const NONE = 1e-6;
 
 /**
- * The turn of a node's matrix, column by column; null: none. Exact for what is up; of a mirrored node the turn without the mirror,
- * of a sheared one the nearest whose y axis is that of the node.
+ * The rotation of a node's matrix, which is given column by column; null: none. Exact for the up direction; of a reflected node the rotation without the reflection,
+ * of a sheared one the nearest rotation whose y axis is that of the node.
  */
 export function rotationOf(nodeMatrix: readonly number[]): SceneRotation | null {
   const column = (c: number): Vector => [nodeMatrix[4 * c], nodeMatrix[4 * c + 1], nodeMatrix[4 * c + 2]];
@@ -27,7 +27,7 @@ export function rotationOf(nodeMatrix: readonly number[]): SceneRotation | null 
   return isNone ? null : rotation;
 }
 
-/** Points, `points[3 i + c]`, turned; with `isBack` from the scene to the mesh. Without a turn the points themselves. */
+/** Rotated points, `points[3 i + c]`; with `isBack` from the scene to the mesh. Without a rotation the points themselves. */
 export function rotated(points: Float32Array, rotation: SceneRotation | null, isBack = false): Float32Array {
   if (!rotation) return points;
   const out = new Float32Array(points.length);
@@ -44,7 +44,7 @@ function unit(vector: Vector): Vector | null {
   return length > 0 && Number.isFinite(length) ? (vector.map((value) => value / length) as Vector) : null;
 }
 
-/** What the ends of something are called, at the lower and at the higher coordinate. */
+/** Names of the ends at the lower and at the higher coordinate. */
 export interface EndNames {
   low: string;
   high: string;
@@ -56,7 +56,7 @@ const ENDS: readonly (readonly [string, string])[] = [
   ['Back end', 'Front end'],
 ];
 
-/** What the low and the high end along an axis of the mesh (0 x, 1 y, 2 z) are in the scene, seen from the front. */
+/** Names of the low and the high end along an axis of the mesh (0 x, 1 y, 2 z) in the scene, seen from the front. */
 export function endNames(nodeMatrix: readonly number[], axis: number): EndNames {
   const way = [0, 1, 2].map((c) => nodeMatrix[4 * axis + c]);
   const most = way.reduce((best, value, c) => (Math.abs(value) > Math.abs(way[best]) ? c : best), 0);
@@ -64,7 +64,7 @@ export function endNames(nodeMatrix: readonly number[], axis: number): EndNames 
   return way[most] < 0 ? { low: last, high: first } : { low: first, high: last };
 }
 
-/** The ends of a body that stands as the scene does, along an axis of the scene, as subjects of sentences. */
+/** Names of the ends along each axis of the scene, as subjects of sentences. */
 export const STANDING_ENDS: readonly EndNames[] = [
   { low: 'The left end', high: 'The right end' },
   { low: 'The bottom', high: 'The top' },

@@ -25,9 +25,9 @@ import type {
 import { STEP_SECONDS } from './simulation';
 
 export interface BodiesOptions extends SimulationOptions {
-  /** of the optimized body, where the original has a solver; left out or null: the original's */
+  /** the solver of the optimized body, if the original has one; absent or null: the original's */
   otherSolver?: SimulatedSolver | null;
-  /** per vertex of the original its point on the optimized mesh; null or left out: closest points */
+  /** per vertex of the original its point on the optimized mesh; null or absent: closest points */
   binding?: StartOptions['binding'];
   /** adds a last body: the original with its constraints in another order, whose deviation is the noise floor */
   hasReordered?: boolean;
@@ -49,7 +49,7 @@ export class SimulatedBodies {
   /** what all bodies can touch */
   readonly collisionScene: CollisionScene;
 
-  /** Throws an Error with one sentence where a mesh or an option is of no use. */
+  /** Throws an Error with one sentence where a mesh or an option is invalid. */
   constructor(
     private readonly core: Core,
     original: TriangleMesh,
@@ -94,7 +94,7 @@ export class SimulatedBodies {
     return this.core.simulationPins(this.numbers[body]);
   }
 
-  /** What a body's last step took on its thread, in seconds; 0 before the first. */
+  /** The duration of a body's last step on its thread, in seconds; 0 before the first. */
   stepSeconds(body: number): number {
     return this.core.simulationSeconds(this.numbers[body]);
   }
@@ -109,7 +109,7 @@ export class SimulatedBodies {
     return this.core.simulationDeviation(this.numbers[0], this.numbers[body]);
   }
 
-  /** Draws a point of one body towards `target` until it is released. */
+  /** Pulls a point of one body towards `target` until it is released. */
   drag(body: number, point: SurfacePoint, target: [number, number, number]): void {
     this.core.dragSimulation(this.numbers[body], point, target);
   }

@@ -1,4 +1,4 @@
-/** What the settings ask of a simulation, and what it needs to know of an original and its result. */
+/** The options of a simulation, from the settings, an original and its result. */
 
 import { faceCount, vertexCount } from '../core/mesh';
 import type { Binding, Core, SimulationModel, SimulationOptions, TriangleMesh } from '../core/core';
@@ -18,13 +18,13 @@ import type { SolverPair } from '../solvers/solver_pair';
 /** Seconds of one step, whatever the number of substeps. */
 export const STEP_SECONDS = 1 / 60;
 
-/** What bodies are made of without a solver: a calibrated one is a shell, as solids with the same lattice have nothing to match. */
+/** The simulation model without a solver: with calibration shells, because solids on the same lattice need none. */
 export const simulatedMaterial = ({ material, calibrate }: Settings): SimulationModel =>
   calibrate && material === 'solid' ? 'shell' : material;
 
 /**
- * The options of a simulation of this body and of any result of it, as the settings say. `pinned` are vertices of the
- * original; null pins what the scenario pins by itself.
+ * The options for simulating this body and any result of it, from the settings. `pinned` are vertices of the
+ * original; null: the default pins of the scenario.
  */
 export function simulationOptions(
   original: BodySize,
@@ -47,8 +47,8 @@ export function simulationOptions(
 }
 
 /**
- * What original and result are simulated with in the solver of the settings, the same numbers typed in for both; null where no
- * solver is asked for. Throws SettingError where the solver does not have the parameters that are given.
+ * The solver of the settings on original and result, with the same numbers typed in for both; null where no
+ * solver is chosen. Throws SettingError where the solver lacks a given parameter.
  */
 export function solversAsTheyAre(
   size: BodySize,
@@ -63,7 +63,7 @@ export function solversAsTheyAre(
   return untouchedSolvers({ solver, massRule, given, material }, { ...meshes, unit });
 }
 
-/** How many modes a body is calibrated by. */
+/** The number of modes by which a body is calibrated. */
 const CALIBRATION_MODES = 10;
 
 /**

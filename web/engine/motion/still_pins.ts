@@ -1,19 +1,19 @@
-/** Whether a scenario that moves its pins can do so with those that there are. */
+/** Checks the pins of a scenario that moves its pins. */
 
 import { boundsOf, longestAxis } from '../core/mesh';
 import type { TriangleMesh } from '../core/core';
 import { scenarioWords } from '../core/scenarios';
 import type { ScenarioName } from '../core/scenarios';
 
-/** Still: nothing moves, as no pin does. Torn: pins that are neighbours part, as one of them moves and the other does not. */
+/** Still: no pin moves, so nothing does. Torn: neighbouring pins are pulled apart, because only one of them moves. */
 export type PinTrouble = 'still' | 'torn';
 
-/** What a scenario does with a pin, as bits. */
+/** Bits for what a scenario does with a pin. */
 const [STAYS, MOVES] = [1, 2];
 
 /**
- * What is wrong with pins in a scenario that moves those beyond the middle of the longest side, and nothing else: `pinTarget` in
- * wasm/simulate/scenario.cpp. Null where nothing is. `mesh`: the original, as it stands; `pinned`: null for the pins of the scenario.
+ * The problem with pins in a scenario that moves only those beyond the middle of the longest side: `pinTarget` in
+ * wasm/simulate/scenario.cpp. Null without a problem. `mesh`: the original, rotated as in its scene; `pinned`: null for the default pins of the scenario.
  */
 export function pinTrouble(
   scenario: ScenarioName,
@@ -35,7 +35,7 @@ export function pinTrouble(
 /** How the reader writes a setting, with its value or without. */
 type SettingText = (name: 'scenario' | 'pins', value?: string) => string;
 
-/** The sentence of a report, without a full stop. */
+/** The problem as a sentence without its full stop. */
 export function describePinTrouble(trouble: PinTrouble, scenario: ScenarioName, write: SettingText): string {
   const moves = `${write('scenario', scenario)} moves pins of the upper half`;
   const cure = `leave ${write('pins')} out or take ${write('scenario', 'sway')}`;

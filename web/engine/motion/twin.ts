@@ -28,9 +28,9 @@ export interface TwinSample {
 }
 
 export interface TwinOptions extends SimulationOptions {
-  /** of the optimized body, where the original has a solver; see solvers/solver_pair.ts */
+  /** the solver of the optimized body, if the original has one; see solvers/solver_pair.ts */
   otherSolver?: SimulatedSolver | null;
-  /** run the original once more with its constraints in another order */
+  /** whether the original is also run with its constraints in another order */
   measuresNoise: boolean;
 }
 
@@ -38,7 +38,7 @@ export interface TwinOptions extends SimulationOptions {
 const NAMES: readonly TwinName[] = ['original', 'optimized'];
 const REORDERED = 2;
 
-/** The shortest of so many last steps counts as the time of a step. */
+/** The time of a step is the minimum over this many last steps. */
 const COST_STEPS = 120;
 
 export class Twin {
@@ -106,7 +106,7 @@ export class Twin {
     return { time: this.time, mean, max, noise };
   }
 
-  /** The original's vertices as the binding carries them on the optimized body at `positions`. */
+  /** The original's vertices, bound to the optimized body at `positions`. */
   private onOriginalVertices(positions: Float32Array, offsets: boolean): Float32Array {
     return boundPositions(this.binding, this.meshes.optimized, positions, { rest: this.start, offsets });
   }
@@ -121,7 +121,7 @@ export class Twin {
     return this.bodies.pins(NAMES.indexOf(name));
   }
 
-  /** The original's vertices as the optimized body carries them. */
+  /** The original's vertices, moved by the optimized body through the binding. */
   driven(): Float32Array {
     return this.onOriginalVertices(this.positions('optimized'), true);
   }
@@ -142,7 +142,7 @@ export class Twin {
     return this.stretch[name].mean(this.positions(name));
   }
 
-  /** Takes a point of one body, and the point bound to it on the other; the returned function draws both to `target`. */
+  /** Grabs a point of one body and the corresponding point of the other; the returned function pulls both towards `target`. */
   drag(name: TwinName, point: SurfacePoint): (target: [number, number, number]) => void {
     const bound = { ...this.meshes, binding: this.binding };
     const points: Record<TwinName, SurfacePoint> = {

@@ -1,4 +1,4 @@
-/** Finds a point of one of two bound bodies on the other, so that both can be dragged there. */
+/** Maps a point of one of two bound bodies to the other, so that both can be dragged there. */
 
 import { faceCount } from '../core/mesh';
 import type { Binding, Core, SurfacePoint, TriangleMesh } from '../core/core';
@@ -25,7 +25,7 @@ export function positionOf(triangles: Uint32Array, positions: Float32Array, poin
 
 /**
  * The point of `optimized` that a point of `original` is bound to: the closest one to the weighted mean of its corners'
- * bound points. Only the triangles around these are searched, so that a nearby sheet is never mistaken for this one.
+ * bound points. Only the triangles around these are searched, so that a point on another, nearby sheet is never taken.
  */
 export function onOptimized(
   core: Core,
@@ -58,7 +58,7 @@ export function onOriginal(
   return core.closestPoint(original, Uint32Array.from(candidates), target);
 }
 
-/** The triangles that share a vertex with one of `of`, including these. */
+/** The triangles of `of` and all that share a vertex with one of them. */
 function around({ triangles }: TriangleMesh, of: Set<number>): number[] {
   const vertices = new Set<number>();
   for (const t of of) if (t !== NONE) for (let k = 0; k < 3; ++k) vertices.add(triangles[3 * t + k]);

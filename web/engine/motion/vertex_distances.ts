@@ -1,5 +1,5 @@
 /**
- * How far each vertex of the original is from where the optimized body carries it: for the colours of the picture alone.
+ * The distance of each vertex of the original from its bound point on the optimized body: only for the colours of the viewport.
  * The deviation that is reported is measured in the core, see wasm/compare/motion_deviation.h.
  */
 
@@ -9,7 +9,7 @@ import { length3 } from '../core/exact_math';
 
 /**
  * The original's vertices on the optimized body, out[3 * v + c], while its vertices are at `positions`: the bound points,
- * and with `offsets` lifted off their triangles by the heights of the binding, as in a game that draws the original and
+ * and with `offsets` raised above their triangles by the heights of the binding, as in a game that draws the original and
  * simulates the optimized mesh. A vertex that is not bound stays at `rest`.
  */
 export function boundPositions(

@@ -78,7 +78,7 @@ function encode({ buffer, byteOffset, byteLength }: Uint32Array | Float32Array):
   return btoa(letters);
 }
 
-/** No bytes where `text` is not base64 of whole 32-bit numbers. */
+/** An empty buffer where `text` is not base64 of whole 32-bit numbers. */
 function decode(text: unknown): ArrayBuffer {
   let letters = '';
   try {

@@ -5,7 +5,7 @@ import type { WhyKept } from '../core/core';
 
 export interface Reason {
   text: string;
-  /** its part of the whole cost, in [0, 1] */
+  /** its share of the total cost, in [0, 1] */
   share: number;
 }
 
@@ -13,7 +13,7 @@ export interface Explanation {
   sentence: string;
   /** terms of the cost of its cheapest collapse, largest first */
   reasons: Reason[];
-  /** the factor that keep weights put on the cost; 1: no effect */
+  /** the factor of the keep weights on the cost; 1: no effect */
   keep: number;
 }
 

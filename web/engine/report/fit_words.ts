@@ -3,7 +3,7 @@
 import type { Fitted, ShapeFitted } from '../core/core';
 import { counted } from '../core/words';
 
-/** What a fit to the surface has done. */
+/** Describes a fit to the surface. */
 export const describeShapeFit = ({ flips }: Pick<ShapeFitted, 'flips'>): string =>
   `fitted to the surface (${counted(flips, 'edge', 'edges')} flipped)`;
 

@@ -1,14 +1,14 @@
-/** Whether modes strain the same regions: the hot spots of each mode, and what two modes share of them. */
+/** Whether modes strain the same regions: the hot spots of each mode, and their overlap. */
 
-/** Faces of at least this strain rank are hot: the tenth of their part that the mode strains most. A float32. */
+/** Faces of at least this strain rank are hot: the most strained tenth of their part. A float32. */
 export const HOT_RANK = Math.fround(0.9);
 
-/** Two modes that share less than this part of their hot faces strain different regions. */
+/** Two modes whose hot faces overlap by less than this share strain different regions. */
 export const DIFFERENT_BELOW = 0.25;
 
 /** Per triangle 1 where it is hot; `rank` as StrainGuidance gives it for one mode. */
 export function hotFaces(rank: Float32Array): Uint8Array {
-  // Loops here and below, as calls for each of a million faces take longer than the modes themselves.
+  // Loops here and below, because a call for each of a million faces would take longer than finding the modes.
   const hot = new Uint8Array(rank.length);
   for (let face = 0; face < rank.length; face++) hot[face] = rank[face] >= HOT_RANK ? 1 : 0;
   return hot;
@@ -31,7 +31,7 @@ export function sharedHotSpots(hot: Uint8Array[]): Float32Array {
   return shared;
 }
 
-/** Of the entries that are 1. */
+/** The indices of the entries that are 1. */
 function indicesOf(isHot: Uint8Array): number[] {
   const indices: number[] = [];
   for (let i = 0; i < isHot.length; i++) if (isHot[i] === 1) indices.push(i);
@@ -42,7 +42,7 @@ export interface ModePair {
   /** modes from 1, first < second */
   first: number;
   second: number;
-  /** what they share of their hot faces, in [0, 1]: the larger of the two parts */
+  /** the overlap of their hot faces, in [0, 1]: the larger of the two shares */
   common: number;
 }
 

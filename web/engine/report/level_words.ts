@@ -1,18 +1,18 @@
-/** What is to be known of further levels of detail, in words. */
+/** Warnings about further levels of detail. */
 
 import { grouped } from '../core/words';
 
-/** A level as it is written. */
+/** A written level. */
 export interface WrittenLevel {
   /** the name of its file, or the one that it would have */
   file: string;
-  /** as they are in the file */
+  /** the number of faces in the file */
   faces: number;
 }
 
 /**
- * A sentence without its full stop for each further level that has more faces than the result itself. `lods`: what the reader knows the
- * setting of further levels as.
+ * A sentence without its full stop for each further level that has more faces than the result itself. `lods`: the reader's name for the
+ * setting of further levels.
  */
 export const describeFinerLevels = (faces: number, levels: readonly WrittenLevel[], lods: string): string[] =>
   levels

@@ -5,7 +5,7 @@ import { sum } from '../core/mesh';
 import { coarseVerticesOf } from '../core/mode_set';
 
 export interface SolveReport {
-  /** whether every part was solved as it is, none by way of a coarse copy */
+  /** whether every part was solved itself, none through a coarse copy */
   exact: boolean;
   /** vertices of the largest coarse copy; absent where exact */
   coarseVertices?: number;
@@ -34,17 +34,17 @@ export interface ModeReport {
   component: number;
   /** laplacian: which principal axis it moves along */
   along?: string;
-  /** the model has no physical frequencies: these are only in proportion */
+  /** the model has no physical frequencies: only their ratios mean something */
   nominal?: true;
 }
 
 const AXES = ['shortest', 'middle', 'longest'];
 
-/** The keys about vibration: model, components, zeroModes, modes, solve. */
+/** The keys of the report about vibration: model, components, zeroModes, modes, solve. */
 export function modesReport(sets: ModeSet[]) {
   const components: ComponentReport[] = [];
   const modes: ModeReport[] = [];
-  // One by one: a file may have more parts than a call can take arguments.
+  // No spread here: a file may have more parts than a call can take arguments.
   for (const set of sets) {
     const first = components.length;
     for (const mode of set.modes) modes.push(modeReport(mode, set.components[mode.component].model, first));

@@ -1,4 +1,4 @@
-/** What simulations have cost, and how results are calibrated for them. */
+/** The cost of simulations, and the calibration of results for them. */
 
 import type { MotionComparison, SimulationModel } from '../core/core';
 import type { ScenarioName } from '../core/scenarios';
@@ -15,7 +15,7 @@ export interface CalibrationReport {
 export interface SimulationReport {
   material: SimulationModel;
   scenario: ScenarioName;
-  /** of the panel, instead of `material` */
+  /** the solver of an engine or family, used instead of `material` */
   solver?: SolverName;
   /** whether results had the settings of a tuning; absent without a solver or without results */
   tuned?: boolean;
@@ -35,7 +35,7 @@ export interface DeviationReport {
   mean: number;
   max: number;
   noiseFloor: number;
-  /** how far the original moves from itself with twice the substeps */
+  /** the deviation of the original from itself with twice the substeps */
   substeps: number;
   /** whether that is at most a quarter of `mean` */
   converged: boolean;

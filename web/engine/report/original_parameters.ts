@@ -1,4 +1,4 @@
-/** What the original of a settings file was given, to tune the same model with it again. */
+/** The parameters and material of the original in a settings file, to tune the same model with them again. */
 
 import { ENGINE_MATERIAL } from '../body/material';
 import type { EngineMaterial } from '../body/material';
@@ -8,8 +8,8 @@ import { firstLevel } from './settings_file';
 import type { SettingsFile } from './settings_file';
 
 /**
- * The parameters that were given, by their names in the engine: the others follow from each body's own mesh and the material of the
- * file again. Of a file that does not say which these are, all in which bodies do not differ, since one in which they do followed.
+ * The parameters that the user gave, by their names in the engine: the others are derived again from each body's own mesh and the material of the
+ * file. If a file does not list them, all parameters that are equal in all bodies, since one that differs was derived.
  */
 export function originalParameters({ bodies, given }: SettingsFile): NativeValues {
   const first = firstLevel(bodies);
@@ -20,7 +20,7 @@ export function originalParameters({ bodies, given }: SettingsFile): NativeValue
   return Object.fromEntries(Object.entries(original).filter(([name]) => isGiven(name)));
 }
 
-/** The material of the file, each number within what its setting takes; nothing of files that lack it. */
+/** The material of the file, clamped to the ranges of the settings; empty for files that lack it. */
 export function originalMaterial({ material }: SettingsFile): Partial<EngineMaterial> {
   if (!material) return {};
   const within = ENGINE_MATERIAL.map((name) => {

@@ -24,7 +24,7 @@ export interface Report {
   schema: 'limber-report/1' | 'limber-report/2';
   version: string;
   command: string;
-  /** as used: `auto` is resolved; p may be "inf" */
+  /** the options as used: `auto` is resolved; p may be "inf" */
   options: Record<string, unknown>;
   threads: number;
   /** size of the wasm memory */
@@ -47,7 +47,7 @@ export interface Report {
   timings: Record<string, number>;
 }
 
-/** A report that has these parts. */
+/** A report in which these parts are present. */
 export type ReportWith<Part extends keyof Report> = Report & Required<Pick<Report, Part>>;
 
 /** The keys that every report has. */

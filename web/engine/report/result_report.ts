@@ -1,4 +1,4 @@
-/** What has become of all bodies: the keys of the report about results, fits and further levels. */
+/** The keys of the report about results, fits and further levels. */
 
 import type { FittedResult } from '../body/body_result';
 import type { InspectedBody } from '../body/prepared_body';
@@ -22,12 +22,12 @@ export interface FitReport {
   unfitted?: string[];
 }
 
-/** What fitReport needs to know of a body. */
+/** The input of fitReport for a body. */
 export type FitOfBody = Pick<FittedResult, 'kind' | 'flips' | 'errorBefore' | 'errorAfter' | 'unfitted'>;
 
 /** A further level of detail. */
 export interface LevelReport {
-  /** where it was written */
+  /** the name of its file */
   file: string;
   /** the share of the faces of each body that was asked for */
   ratio: number;
@@ -36,7 +36,7 @@ export interface LevelReport {
   stop: StopReport;
 }
 
-/** The largest of each distance. */
+/** The maximum of each distance over all bodies. */
 export function worstSurface(distances: SurfaceDistance[]): SurfaceDistance {
   const largest = (key: keyof SurfaceDistance) => Math.max(...distances.map((distance) => distance[key]));
   return {
@@ -51,7 +51,7 @@ export function worstFidelity(fidelities: Fidelity[]): Fidelity {
   return fidelities.reduce((worst, one) => (one.frequencyErrorMean > worst.frequencyErrorMean ? one : worst));
 }
 
-/** What resultReport needs to know of a body. */
+/** The input of resultReport for a body. */
 export interface ReportedBody {
   measured: InspectedBody & { distance: SurfaceDistance };
   /** the modes that guided its collapses; null where none did */
@@ -60,7 +60,7 @@ export interface ReportedBody {
   stopped: StoppedBody;
 }
 
-/** What has become of all bodies: output, the keys about vibration, fit, surface and stop. */
+/** The keys about the results of all bodies: output, vibration, fit, surface and stop. */
 export function resultReport(bodies: ReportedBody[]) {
   const sets = bodies.flatMap(({ modes }) => modes ?? []);
   return {
@@ -72,7 +72,7 @@ export function resultReport(bodies: ReportedBody[]) {
   };
 }
 
-/** Empty where no body was to be fitted. */
+/** The key `fit`; empty where no fit was requested. */
 export function fitReport(fits: FitOfBody[]): { fit?: FitReport } {
   const unfitted = [...new Set(fits.map((fit) => fit.unfitted).filter((why) => why !== ''))];
   const worst = (errors: Float64Array[]) => errors.reduce((most, own) => Math.max(most, ...own), 0);

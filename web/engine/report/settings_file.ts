@@ -41,28 +41,28 @@ export interface BodySettings extends RoleValues {
   name: string;
   /** 0, or the number of the further level */
   level: number;
-  /** the number of the mesh in the glTF file, of a further level that of its own file or in the first; files of the first versions lack it */
+  /** the index of the mesh in the glTF file that contains it, for a further level its own file or that of the first level; absent in files of the first versions */
   meshNumber?: number;
   /** metres per unit of the mesh */
   unit: number;
   mesh: { positions: number[]; triangles: number[] };
   /** per vertex of each primitive of the file, in order: the vertex of `mesh`; -1 where no usable face has it */
   renderVertices: number[];
-  /** `original`: the rule by which the original has its masses; files of the first versions lack it */
+  /** `original`: the mass rule of the original; absent in files of the first versions */
   mass: { rule: MassRule; original?: MassRule; perVertex: number[] };
   /** factors per vertex */
   vertex?: { stretch: number[]; bend: number[] };
   stretch: StretchSettings;
   bend: BendSettings;
   pins: number[];
-  /** to type into the engine for this mesh */
+  /** values to type into the engine for this mesh */
   engine: NativeValues;
   original: OriginalSettings;
   frequencies: Partial<TunedFrequencies>;
   motion?: TunedMotion;
 }
 
-/** What is typed in for the original, and what it amounts to. */
+/** The values typed in for the original, and the constants that follow from them. */
 export type OriginalSettings = {
   vertices: number;
   faces: number;
@@ -75,20 +75,20 @@ export interface SettingsFile {
   schema: typeof SETTINGS_SCHEMA;
   version: string;
   solver: SolverName;
-  /** how far the panel's solver has been checked against the engine: generic, verified or derived */
+  /** how well the solver model has been checked against the engine: generic, verified or derived */
   status: string;
   tune: TuneKind;
   /** `length`: metres per unit of the first body */
   units: { length: number };
-  /** of the first body, as all that is not in `bodies` */
+  /** of the first body, like everything outside of `bodies` */
   engine: NativeValues;
   original: OriginalSettings;
-  /** as set; `thickness` in % of each body's diagonal. Files of the first versions lack it */
+  /** as set; `thickness` in % of each body's diagonal. Absent in files of the first versions */
   material?: EngineMaterial;
-  /** names of the parameters of `original` that the user gave; the others followed. Files of the first versions lack it */
+  /** names of the parameters of `original` that the user gave; the others were derived. Absent in files of the first versions */
   given?: string[];
   bodies: BodySettings[];
-  /** of the first level, the body whose frequencies are off most */
+  /** of the first-level body with the largest frequency error */
   frequencies: Partial<TunedFrequencies>;
   motion?: TunedMotion;
 }
@@ -101,11 +101,11 @@ export interface SettledBody {
   meshNumber: number;
   renderVertices: number[];
   tuned: TunedBody;
-  /** of a mesh that was tuned in the space of another: its own, as in its file */
+  /** of a mesh that was tuned in the space of another one: its original space, that of its file */
   own?: OwnSpace;
 }
 
-/** The content of the file; `bodies` are those of the first level, then those of the others. At least one. */
+/** The content of the file; `bodies` are those of the first level, then those of the others; there must be at least one. */
 export function settingsFile(
   bodies: SettledBody[],
   settings: EngineMaterial & Pick<Settings, 'engine'>,
@@ -132,15 +132,15 @@ export function settingsFile(
   };
 }
 
-/** Those of the first level, which come first. */
+/** The bodies of the first level. */
 export const firstLevel = <Body extends { level: number }>(bodies: Body[]): Body[] =>
   bodies.filter(({ level }) => level === bodies[0].level);
 
-/** The body whose frequencies are off most when tuned, the first of equal ones. */
+/** The body with the largest tuned frequency error, the first of equal ones. */
 export const worstTuned = (bodies: TunedBody[]): TunedBody =>
   bodies.reduce((worst, one) => (tunedError(one) > tunedError(worst) ? one : worst));
 
-/** A body without modes is off least. */
+/** The tuned frequency error; a body without modes has the smallest. */
 const tunedError = ({ tuned }: TunedBody): number =>
   Number.isFinite(tuned.frequencies.errorTuned) ? tuned.frequencies.errorTuned : -1;
 
@@ -193,7 +193,7 @@ const factorsOf = (factors: Float64Array): { factors?: number[] } =>
 
 const ROLES = ['damping', 'air', 'collisionThickness', 'friction', 'selfCollisionDistance'] as const;
 
-/** Damping, contacts and substeps, as far as the engine has them. */
+/** Damping, contacts and substeps, if the engine has them. */
 function roleValues({ solver, substeps, result: { values } }: TunedBody): RoleValues {
   const profile = profileOf(solver);
   const found = ROLES.map((role) => [role, valueOfRole(profile, values, role)] as const);
@@ -222,11 +222,11 @@ const shortened = <T extends object>(values: T): T =>
     Object.entries(values).map(([key, value]) => [key, typeof value === 'number' ? short(value) : value]),
   ) as T;
 
-/** Errors that are known: those of modes that a body does not have are left out. */
+/** Errors without those of modes that a body does not have. */
 export const knownErrors = (frequencies: TunedFrequencies): Partial<TunedFrequencies> =>
   Object.fromEntries(Object.entries(frequencies).filter(([, error]) => Number.isFinite(error)));
 
-/** What a GLB has of the settings of a body: numbers in the extras of its mesh, and what vertices have as attributes. */
+/** The settings of a body as a GLB stores them: numbers in the extras of its mesh, values per vertex as attributes. */
 export function exportedSettings(tuned: TunedBody): ExportedSettings {
   const { masses, stretchField, bendField } = tuned.tuned;
   const maps = { _LIMBER_STRETCH: stretchField, _LIMBER_BEND: bendField };

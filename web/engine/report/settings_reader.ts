@@ -1,4 +1,4 @@
-/** Reads a settings file and checks it, so that what works with it need not. */
+/** Reads and validates a settings file. */
 
 import { ENGINE_MATERIAL } from '../body/material';
 import { isCount } from '../core/count';

@@ -1,4 +1,4 @@
-/** How near a result moves to its original in a solver, untouched and tuned. */
+/** How closely a result follows its original in a solver, untouched and tuned. */
 
 import type { Fidelity, FrequencyStatus, TunedFrequencies, TunedMotion } from '../core/core';
 import { hasFlatTriangles } from '../solvers/mesh_facts';
@@ -7,16 +7,16 @@ import type { SolverName } from '../solvers/profiles';
 import type { TunedBody } from '../solvers/tuned_body';
 import { knownErrors, worstTuned } from './settings_file';
 
-/** Errors in %, of the body whose frequencies are off most; those of modes that it does not have are absent. */
+/** Errors in %, of the body with the largest frequency error; those of modes that it does not have are absent. */
 export interface SolverReport {
   frequencies: Partial<TunedFrequencies>;
   /** why there are no frequencies; absent where they were found */
   frequencyStatus?: MissingFrequencies;
-  /** absent where nothing was moved */
+  /** absent without a motion trial */
   motion?: TunedMotion;
-  /** why nothing was moved, as a clause */
+  /** why there was no motion trial, as a clause */
   motionRefusal?: string;
-  /** the numbers to type in that the engine does not take, of all bodies; absent where there are none */
+  /** the values of all bodies that the engine does not accept; absent where there are none */
   outOfRange?: OutOfRange[];
 }
 
@@ -26,17 +26,17 @@ type MissingFrequencies = Exclude<FrequencyStatus, 'found'> | 'noArea';
 interface OutOfRange {
   name: string;
   value: number;
-  /** what the engine takes */
+  /** the range that the engine accepts */
   min: number;
   max: number;
 }
 
-/** What a report says of fidelity: `compare` gives all of it but `solvers`, a tuning gives `solvers` alone. */
+/** The fidelity part of a report: `compare` fills all of it except `solvers`, a tuning only `solvers`. */
 export interface FidelityReport extends Partial<Fidelity> {
   solvers?: Partial<Record<SolverName, SolverReport>>;
 }
 
-/** The keys of a report about tuned bodies, of which there is at least one. */
+/** The keys of a report about tuned bodies; there must be at least one. */
 export function solverReport(bodies: TunedBody[]): {
   schema: 'limber-report/2';
   fidelity: { solvers: NonNullable<FidelityReport['solvers']> };
@@ -63,7 +63,7 @@ function missingFrequencies({ mesh, tuned }: TunedBody): MissingFrequencies | un
   return frequencyStatus === 'noResistance' && hasFlatTriangles(mesh) ? 'noArea' : frequencyStatus;
 }
 
-/** Of each parameter the value that is farthest out. A material can be stiffer than an engine lets its users type in. */
+/** Per parameter the value that is farthest out of range: a material can be stiffer than an engine allows. */
 function outOfRange(bodies: TunedBody[]): OutOfRange[] {
   const { parameters } = profileOf(bodies[0].solver);
   return parameters.flatMap(({ name, min, max }): OutOfRange[] => {
@@ -76,7 +76,7 @@ function outOfRange(bodies: TunedBody[]): OutOfRange[] {
 
 const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 2)} %`;
 
-/** Sentences without their end about what a tuning has found, for the terminal and the page. */
+/** Sentences without their full stops about the outcome of a tuning, for the terminal and the page. */
 export function describeTuning(
   solver: SolverName,
   { frequencies, frequencyStatus, motion, motionRefusal, outOfRange = [] }: SolverReport,

@@ -1,4 +1,4 @@
-/** What a settings file says of a mesh that was read from its own file: the way back into a simulation. */
+/** Applies a settings file to a mesh that was read from its own file, to simulate it again. */
 
 import type { SimulatedSolver, SolverModel, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
@@ -16,7 +16,7 @@ import { modelOf } from '../solvers/tuned_body';
 import type { BodySettings, SettingsFile } from './settings_file';
 
 /**
- * What the original and its result are simulated with by a settings file. `unit`: metres per unit of their meshes. Throws an
+ * The solvers of the original and its result according to a settings file. `unit`: metres per unit of their meshes. Throws an
  * Error with one sentence where the file is not of this result, SettingError where it is of another unit.
  */
 export function solversOfSettings(
@@ -43,7 +43,7 @@ export function solversOfSettings(
   };
 }
 
-/** The parameters of an original stand for no other mesh. */
+/** Throws an Error where the original is another one than in the settings file. */
 function checkOriginal({ name, original }: BodySettings, { vertices, faces }: MeshFacts): void {
   if (original.vertices === vertices && original.faces === faces) return;
   const [wanted, found] = [original, { vertices, faces }].map(
@@ -57,7 +57,7 @@ function checkOriginal({ name, original }: BodySettings, { vertices, faces }: Me
 const isOfUnit = (entry: BodySettings, unit: number): boolean => Math.abs(entry.unit / unit - 1) <= 1e-9;
 
 /**
- * The entry of a body, of all levels: one that has its vertices and faces; of several one that has its unit too, and whose
+ * The entry of a body among all levels: one with its numbers of vertices and faces; of several one that has its unit too, and whose
  * vertices are nearest.
  */
 function entryOf(bodies: BodySettings[], result: PreparedBody, unit: number): BodySettings {
@@ -163,7 +163,7 @@ function verticesOf(entry: BodySettings, result: PreparedBody): Uint32Array {
   return of;
 }
 
-/** Factors that are found by the vertices of their constraints. */
+/** Looks up factors by the vertices of their constraints. */
 class ListedFactors {
   private readonly queues = new Map<string, number[]>();
   readonly isEmpty: boolean;
@@ -181,7 +181,7 @@ class ListedFactors {
       });
   }
 
-  /** Of the constraint on these vertices of the settings; of several alike, one after the other. */
+  /** The factor of the constraint on these vertices; for several constraints on the same vertices, one after the other. */
   take(vertices: number[]): number {
     const own = this.queues.get(keyOf(vertices))?.shift() ?? 1;
     if (!this.field) return own;

@@ -1,4 +1,4 @@
-/** Why results have as many faces as they have. */
+/** Why the collapses of results stopped where they did. */
 
 import type { FrequencyFinding, GuardFinding, Tried } from '../body/body_result';
 import type { PreparedBody } from '../body/prepared_body';
@@ -9,15 +9,15 @@ import type { Settings } from '../settings/options';
 
 export interface StopReport {
   reason: 'target' | 'deviation' | 'angle' | 'frequency' | 'exhausted';
-  /** edges left in the bodies that no collapse can bring to their target, each under its first reason */
+  /** remaining edges of the bodies that could not reach their target, counted by their first reason */
   refused: Refused;
-  /** present where frequencies were a target: of the body with the largest error */
+  /** present where frequencies were a target: that of the body with the largest error */
   frequency?: FrequencyReport;
-  /** the bodies that have stopped for their largest deviation; absent where none has */
+  /** the bodies that the deviation limit stopped; absent where there are none */
   guarded?: GuardReport[];
 }
 
-/** A body that has stopped for its largest deviation; % of the diagonal. */
+/** A body that the deviation limit stopped; % of the diagonal. */
 export interface GuardReport extends GuardFinding {
   body: string;
   faces: number;
@@ -25,17 +25,17 @@ export interface GuardReport extends GuardFinding {
 
 /** The largest error of the first six frequencies, in %. */
 export interface FrequencyReport {
-  /** the largest error that was asked for */
+  /** the requested largest error */
   limit: number;
-  /** the error that was found */
+  /** the error of the result */
   error: number;
-  /** the most faces below those found whose error is over the limit; absent where there are none */
+  /** the largest number of faces, below those of the result, whose error is over the limit; absent where there is none */
   beyond?: Tried;
   /** how many face counts were tried in all bodies */
   tried: number;
 }
 
-/** What stopReport needs to know of a body. */
+/** The input of stopReport for a body. */
 export interface StoppedBody {
   /** without duplicate faces */
   faces: number;
@@ -44,12 +44,12 @@ export interface StoppedBody {
   targetFaces: number;
   history: Pick<History, 'refused' | 'stop'>;
   frequency?: FrequencyFinding | null;
-  /** present where its largest deviation has stopped it */
+  /** present where the deviation limit stopped it */
   guard?: GuardFinding | null;
   name?: string;
 }
 
-/** The faces of bodies as they are in the file. */
+/** The number of faces of bodies as written, with duplicates. */
 export const writtenFacesOf = (bodies: StoppedBody[]): number =>
   sum(bodies.map(({ faces, duplicates = 0 }) => faces + duplicates));
 

@@ -1,6 +1,6 @@
-/** Warnings of a run over a file; the same words of several bodies can become one line. */
+/** Warnings of a run over a file; equal ones of several bodies can be merged into one line. */
 
-/** Of one body. */
+/** A warning about one body. */
 export interface BodyWarning {
   body: string;
   /** without a full stop at its end */

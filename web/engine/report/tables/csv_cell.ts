@@ -3,7 +3,7 @@
 /** What a formula starts with; spreadsheets for Japanese take its wide forms, too. */
 const FORMULA = /^[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/;
 
-/** Spreadsheets take texts that start like formulas for formulas, and run them: an apostrophe in front keeps them texts. */
+/** Escapes texts that start like formulas, which spreadsheets would run, with a leading apostrophe. */
 export function cell(value: string | number | null): string {
   if (value === null) return '';
   if (typeof value === 'number') return String(value);

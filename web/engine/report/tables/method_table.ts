@@ -21,7 +21,7 @@ export interface Table {
 
 const NONE = '–';
 
-/** A value as it is read: rounded, and a dash where there is none. */
+/** A value for display: rounded, or a dash where there is none. */
 export function shownValue(value: Value, { digits }: Column): string {
   if (value === null || (typeof value === 'number' && !Number.isFinite(value))) return NONE;
   if (typeof value === 'string') return value;
@@ -48,7 +48,7 @@ export function tableAsMarkdown({ caption, columns, rows }: Table): string {
   return `${[markdownText(caption), '', head, rule, ...body].join('\n')}\n`;
 }
 
-/** On one line, with what Markdown or HTML would take for marks escaped. */
+/** On one line, with the special characters of Markdown and HTML escaped. */
 const markdownText = (text: string): string =>
   text.replaceAll(/\s+/g, ' ').replaceAll(/[\\`*_[\]<>|~#$]/g, (mark) => `\\${mark}`);
 
