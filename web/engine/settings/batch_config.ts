@@ -15,13 +15,13 @@ import type { ValueRule } from './targets';
 
 export const BATCH_SCHEMA = 'limber-batch/1';
 
-/** What an asset is asked for besides settings. */
+/** Targets and outputs of an asset besides its settings. */
 export interface AssetTargets {
   /** the most faces that may be left */
   faces?: number;
-  /** the share of faces that is left, above 0 to 1; 0.5 where nothing else is a target */
+  /** the share of faces to keep, in (0, 1]; 0.5 without any other target */
   ratio?: number;
-  /** a target that is not reached is no miss */
+  /** whether missing a target is not an error */
   soft?: boolean;
   /** write strain and curvature as attributes */
   fields?: boolean;
@@ -29,7 +29,7 @@ export interface AssetTargets {
   reports?: boolean;
   /** write the binding of the original's vertices beside the result */
   bindings?: boolean;
-  /** write the settings of the solver beside the result; there has to be a solver */
+  /** write the settings of the solver beside the result; needs a solver */
   settingsFiles?: boolean;
   /** measure how far frequencies are off, as limber compare does */
   frequencies?: boolean;
@@ -39,22 +39,22 @@ export interface AssetTargets {
 export type AssetOptions = Partial<Settings> & AssetTargets;
 
 export interface BatchOverride {
-  /** patterns of paths below SRC, of which one has to agree */
+  /** patterns of paths below SRC, of which one has to match */
   files: string[];
   options: AssetOptions;
 }
 
 export interface BatchConfig {
   options: AssetOptions;
-  /** later ones count over earlier ones */
+  /** later ones take precedence */
   overrides: BatchOverride[];
-  /** patterns of paths that are no assets */
+  /** patterns of paths that are not assets */
   exclude: string[];
 }
 
 export const EMPTY_CONFIG: BatchConfig = { options: {}, overrides: [], exclude: [] };
 
-/** Which values targets have, in words too. */
+/** The rule for the value of each target. */
 const TARGETS: Record<keyof AssetTargets, ValueRule> = {
   faces: FACE_COUNT,
   ratio: FACE_SHARE,
@@ -68,7 +68,7 @@ const TARGETS: Record<keyof AssetTargets, ValueRule> = {
 
 export const TARGET_NAMES = Object.keys(TARGETS) as (keyof AssetTargets)[];
 
-/** The text of a configuration that gives every asset these settings; what describes a machine or one file is left out. */
+/** The text of a configuration that gives every asset these settings, without those of a machine or one file. */
 export function writeBatchConfig(settings: Settings, targets: AssetTargets = {}): string {
   const changed = changedSettings(settings).filter(({ key }) => !OPTIONS[key].isOfFile && isOfAssets(key));
   const values = changed.map(({ key }) => [key, settings[key] === Infinity ? 'inf' : settings[key]]);
@@ -76,7 +76,7 @@ export function writeBatchConfig(settings: Settings, targets: AssetTargets = {})
   return `${JSON.stringify({ schema: BATCH_SCHEMA, options, overrides: [] }, null, 2)}\n`;
 }
 
-/** The configuration that `text` is. Throws an Error whose sentence begins with `name` and says where. */
+/** Parses a configuration. Throws an Error whose sentence begins with `name` and says where. */
 export function readBatchConfig(text: string, name: string): BatchConfig {
   const root = parse(text, name);
   checkKeys(root, ['$schema', 'schema', 'options', 'overrides', 'exclude'], name);
@@ -92,7 +92,7 @@ export function readBatchConfig(text: string, name: string): BatchConfig {
   };
 }
 
-/** The options of an asset, by its path below SRC: overrides count over `flags`, and those over the rest of the configuration. */
+/** The options of an asset, by its path below SRC: overrides take precedence over `flags`, and these over the rest of the configuration. */
 export const optionsFor = (
   { options, overrides }: BatchConfig,
   path: string,
@@ -102,7 +102,7 @@ export const optionsFor = (
   return Object.assign({}, options, flags, ...own.map((override) => override.options)) as AssetOptions;
 };
 
-/** A clause on each pattern of an override that agrees with none of the paths. `name`: what the configuration is called. */
+/** A clause on each pattern of an override that matches none of the paths. `name`: that of the configuration. */
 export const unusedPatterns = ({ overrides }: BatchConfig, paths: string[], name: string): string[] =>
   overrides.flatMap(({ files }, i) =>
     files
@@ -123,7 +123,7 @@ export function settingsFor(options: AssetOptions): Settings {
 export const isExcluded = ({ exclude }: BatchConfig, path: string): boolean =>
   exclude.some((pattern) => matchesPath(pattern, path));
 
-/** What describes the machine is asked for on the command line. */
+/** Whether a setting can be given per asset: settings of the machine belong on the command line. */
 const isOfAssets = (name: SettingName): boolean =>
   settingsOf('optimize').includes(name) && !OPTIONS[name].isOfMachine;
 

@@ -1,4 +1,4 @@
-/** Whether settings are such as can be worked with, each by itself and together. */
+/** Validates settings, one by one and in combination. */
 
 import { counted, excerpt, quotedJson, quotedValue } from '../core/words';
 import { engineValues } from './engine_text';
@@ -15,7 +15,7 @@ import type { OptionSpec } from './types';
 export const SOLVER_SETTINGS = ['engine', 'tune', 'bendRatio', 'massRule'] as const satisfies SettingName[];
 
 /**
- * Throws SettingError, whose sentence has the first value that is refused, what is allowed, and the cure. `notation`: where values come
+ * Throws SettingError, whose sentence names the first refused value, the allowed ones and the cure. `notation`: where values come
  * from.
  */
 export function checkSettings(settings: Settings, notation: Notation = 'text'): void {
@@ -45,7 +45,7 @@ function checkModes(settings: Settings): void {
     ]);
 }
 
-/** Whether the solver has the parameters that are given, and takes what it is to be tuned by. */
+/** Whether the solver has the given parameters, and supports the kind of tuning. */
 function checkSolver({ solver, engine, tune, massRule }: Settings): void {
   if (solver === 'none') return;
   engineValues(solver, engine);

@@ -13,7 +13,7 @@ const GROUPS = {
   inspect: ['common'],
 } as const satisfies Record<Command, readonly OptionGroup[]>;
 
-/** Groups of which a command takes every setting; a row can name further commands. */
+/** The groups whose settings a command takes; the row of a setting can add further commands. */
 export const COMMAND_GROUPS: Record<Command, readonly OptionGroup[]> = GROUPS;
 
 type NamedBy<Row> = Row extends { commands: readonly (infer Named)[] } ? Named : never;

@@ -1,4 +1,4 @@
-/** The text of a user's own parameters of an engine: name=value with commas between. */
+/** The user's own parameters of an engine as text: name=value, separated by commas. */
 
 import { profileOf } from '../solvers/profiles';
 import type { SolverName } from '../solvers/profiles';

@@ -1,15 +1,15 @@
-/** Why a setting is refused: the setting, and a sentence about it that each host words for its readers. */
+/** Errors about settings, in a form in which each host can name settings in its own way. */
 
 import { OPTIONS } from './table';
 import type { SettingName } from './table';
 
-/** Words in which settings stand by name, so that a host can call them flags or controls. Plain data. */
+/** Text with placeholders for settings, so that a host can call them flags or controls. Plain data. */
 export type Note = readonly (string | { setting: SettingName })[];
 
 /** A sentence without its subject, which is a setting: "is 2: give a number from 0 to 1." */
 export type Sentence = Note;
 
-/** The value of a setting is refused, by itself or for a body. Its message calls settings by their labels. */
+/** A refused value of a setting, by itself or for a body. Its message calls settings by their labels. */
 export class SettingError extends Error {
   readonly sentence: Sentence;
 
@@ -24,13 +24,13 @@ export class SettingError extends Error {
   }
 }
 
-/** The sentence of an error with its subject; `nameOf` says what the reader knows other settings as. */
+/** The sentence of an error with its subject; `nameOf` gives the reader's name for other settings. */
 export const wordSentence = (
   subject: string,
   sentence: Sentence,
   nameOf: (setting: SettingName) => string,
 ): string => `${subject} ${wordNote(sentence, nameOf)}`;
 
-/** Words in which settings stand by name, as one text. */
+/** The text of a note, with settings named by `nameOf`. */
 export const wordNote = (note: Note, nameOf: (setting: SettingName) => string): string =>
   note.map((part) => (typeof part === 'string' ? part : nameOf(part.setting))).join('');

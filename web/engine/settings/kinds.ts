@@ -1,4 +1,4 @@
-/** What the kinds of settings have in common: how a value is read from text, which values are allowed, and in what words. */
+/** The rules of each kind of setting: how a value is read from text, which values are allowed, and how they are described. */
 
 import { parseColliders } from './collider_text';
 import { parseEngine } from './engine_text';
@@ -7,16 +7,16 @@ import { parsePins } from './pin_text';
 import type { SettingName } from './table';
 import type { OptionKind, OptionOf, OptionSpec } from './types';
 
-/** How a refused value and the allowed ones are written: as words of command lines and links, in JSON, or in a program. */
+/** How values are written in errors: as in command lines and links, as in JSON, or as in a program. */
 export type Notation = 'text' | 'json' | 'script';
 
 interface KindRules<Kind extends OptionKind> {
-  /** The value that a text stands for. Text that is no number comes back as it is: then `isAllowed` is false. */
+  /** Parses a value. Text that should be a number and is not is returned unchanged, and `isAllowed` refuses it. */
   read(text: string): unknown;
   isAllowed(value: unknown, option: OptionOf<Kind>): boolean;
   /** Throws SettingError where an allowed text has not the form of its kind. */
   parse?(text: string, setting: SettingName): unknown;
-  /** the allowed values in words: "a number from 0 to 1" */
+  /** describes the allowed values: "a number from 0 to 1" */
   describe(option: OptionOf<Kind>, notation: Notation): string;
   /** what stands for a value in the help */
   placeholder(option: OptionOf<Kind>): string;
@@ -24,7 +24,7 @@ interface KindRules<Kind extends OptionKind> {
 
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
-/** The number that `text` stands for; `text` itself where it is none. */
+/** The number that `text` stands for; `text` itself if it is not a number. */
 export function readNumber(text: string): number | string {
   if (/^\+?inf(inity)?$/i.test(text)) return Infinity;
   return DECIMAL.test(text) ? Number(text) : text;
@@ -50,7 +50,7 @@ const describeRange = (
 ): string =>
   max === Infinity ? `${noun} of at least ${min}, or ${INFINITY[notation]}` : `${noun} from ${min} to ${max}`;
 
-/** What a text says, where another value than a text is possible. */
+/** Describes an allowed text; notations with values of other types add that it is a text. */
 const describeText =
   (words: string) =>
   (_: unknown, notation: Notation): string =>

@@ -1,4 +1,4 @@
-/** What is particular to each method of simplification. No other file asks which method it is. */
+/** The properties of each method of simplification. No other file compares method names. */
 
 import type { Model } from '../core/core';
 import { METHODS } from '../core/methods';
@@ -7,7 +7,7 @@ import { OPTIONS, SETTING_NAMES } from './table';
 import type { SettingName, Settings } from './table';
 import type { OptionSpec } from './types';
 
-/** A row of METHODS; its settings are checked to be settings. */
+/** A row of METHODS with typed names of settings. */
 export interface MethodSpec extends Omit<(typeof METHODS)[number], 'defaults' | 'reads' | 'autoModel'> {
   defaults: Partial<Settings>;
   reads: readonly SettingName[];
@@ -19,7 +19,7 @@ const SPECS: readonly MethodSpec[] = METHODS;
 /** Settings that not every method reads. */
 const PARTICULAR = new Set(SPECS.flatMap(({ reads }) => reads));
 
-/** What is particular to the method of these settings. */
+/** The properties of the method of these settings. */
 export const methodOf = ({ method }: Pick<Settings, 'method'>): MethodSpec =>
   SPECS.find(({ name }) => name === method)!;
 
@@ -34,7 +34,7 @@ export function defaultSettings(method: Method = 'limber'): Settings {
   return { ...settings, method, ...methodOf({ method }).defaults };
 }
 
-/** What changes with the method: itself, and every setting that some method starts differently. */
+/** The settings that change with the method: the method itself, and every setting whose default depends on it. */
 export function methodChange(method: Method): Partial<Settings> {
   const defaults = defaultSettings(method);
   const names = SPECS.flatMap((spec) => Object.keys(spec.defaults) as SettingName[]);
@@ -50,13 +50,13 @@ export const modelDefaults = (): Partial<Settings> =>
 
 const defaultsWhere = (isMeant: IsMeant): Partial<Settings> => settingsWhere(isMeant, defaultSettings());
 
-/** Settings that name parts of one file, and `others`. */
+/** `others`, with the settings that name parts of a file from `ofFile`. */
 export const fileSettings = (ofFile: Settings, others: Settings): Settings => ({
   ...others,
   ...settingsWhere(({ isOfFile }) => isOfFile, ofFile),
 });
 
-/** Settings of a file with those of a person or machine from `person`; null: with their defaults. */
+/** `ofFile`, with the settings of a person or machine from `person`; null: with their defaults. */
 export const withPerson = (ofFile: Settings, person: Settings | null): Settings => ({
   ...ofFile,
   ...settingsWhere(({ isOfPerson, isOfMachine }) => isOfPerson ?? isOfMachine, person ?? defaultSettings()),
@@ -69,15 +69,15 @@ function settingsWhere(isMeant: IsMeant, settings: Settings): Partial<Settings> 
   return Object.fromEntries(names.map((name) => [name, settings[name]]));
 }
 
-/** How results are fitted: as the settings say, where the method can. */
+/** The fit of the settings, or 'off' if the method cannot be fitted. */
 export const fitOf = (settings: Pick<Settings, 'method' | 'fit'>): Settings['fit'] =>
   methodOf(settings).canFit ? settings.fit : 'off';
 
-/** The model that guides: the one asked for, or what the method takes for `auto`. */
+/** The elastic model for guidance; `auto` is resolved by the method. */
 export const resolveModel = (settings: Pick<Settings, 'method' | 'model'>): 'auto' | Model =>
   settings.model === 'auto' ? methodOf(settings).autoModel : settings.model;
 
-/** The elastic modes that guide, from 1: those asked for, all that are computed, or as many as the method takes for `auto`. */
+/** The numbers, from 1, of the guiding elastic modes; `all` and `auto` are resolved, `auto` by the method. */
 export function resolveModes(settings: Pick<Settings, 'method' | 'modes' | 'modeCount'>): number[] {
   const { modes, modeCount } = settings;
   if (Array.isArray(modes)) return modes;

@@ -1,14 +1,14 @@
-/** Patterns of names, as --mesh takes them. Names are untrusted, so there is no backtracking without bound. */
+/** Patterns of names, as --mesh takes them. Names are untrusted, so backtracking is bounded. */
 
 /**
- * Whether the whole `name` is as the pattern says. `*` stands for any letters or none, `?` for one letter, `|` parts patterns of
- * which one has to agree; a backslash before one of these, or before itself, makes it a letter. Letters differ from capitals.
- * Takes up to the product of the lengths.
+ * Whether the pattern matches the whole `name`. `*` stands for any characters or none, `?` for one character, `|` separates patterns of
+ * which one has to match; a backslash before one of these, or before itself, makes it literal. Case matters.
+ * Takes time up to the product of the lengths.
  */
 export const matchesPattern = (pattern: string, name: string): boolean =>
   alternatives(pattern).some((words) => matchesWords(words, Array.from(name)));
 
-/** A letter that has to be there, or one of the two wildcards. */
+/** A literal character, or one of the two wildcards. */
 type Word = { letter: string } | 'any' | 'one';
 
 function alternatives(pattern: string): Word[][] {
@@ -23,7 +23,7 @@ function alternatives(pattern: string): Word[][] {
   return all;
 }
 
-/** Goes on greedily; where that fails, the last `*` takes one letter more. */
+/** Matches greedily; on a mismatch the last `*` takes one more character. */
 function matchesWords(words: Word[], letters: string[]): boolean {
   let [word, letter, star, taken] = [0, 0, -1, 0];
   while (letter < letters.length) {

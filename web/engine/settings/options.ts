@@ -1,4 +1,4 @@
-/** The settings, as other folders see them; the forms of texts are in pin_text.ts, paint_text.ts, collider_text.ts and engine_text.ts. */
+/** What other folders may import of the settings; the forms of texts are in pin_text.ts, paint_text.ts, collider_text.ts and engine_text.ts. */
 
 export { checkSetting, checkSettings, SOLVER_SETTINGS } from './check';
 export { COMMAND_DEFAULTS, settingsOf } from './commands';

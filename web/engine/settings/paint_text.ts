@@ -6,9 +6,9 @@
 
 import { SettingError } from './errors';
 
-/** Levels from 1 to STRONGEST keep triangles, higher ones more; 0 is bare. */
+/** Levels from 1 to STRONGEST keep triangles, higher ones more strongly; 0 is unpainted. */
 export const STRONGEST = 10;
-/** The level of a vertex that stays as it is. */
+/** The level of a locked vertex. */
 export const LOCKED = STRONGEST + 1;
 
 /** A level per vertex, in [0, LOCKED]. */
@@ -29,7 +29,7 @@ export function parsePaint(text: string): Map<number, Levels> {
   );
 }
 
-/** The text with these levels for one mesh of the file; bare ones take the mesh out. */
+/** The text with these levels for one mesh of the file, which is removed if all of them are 0. */
 export function withPaint(text: string, mesh: number, levels: Levels): string {
   const painted = parsePaint(text);
   painted.delete(mesh);
@@ -61,7 +61,7 @@ function levelsOfRuns(runs: number[]): Levels {
   return levels;
 }
 
-/** Six bits a letter; the unused bits of the last one are 0. */
+/** Encodes six bits a letter; the unused bits of the last one are 0. */
 function wordOf(numbers: number[]): string {
   const bytes: number[] = [];
   for (let number of numbers) {

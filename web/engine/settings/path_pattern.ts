@@ -3,8 +3,8 @@
 import { matchesPattern } from './name_pattern';
 
 /**
- * Whether the whole `path` is as the pattern says. `**` stands for any number of folders, `*` for any letters of a name or none, `?`
- * for one letter, `{a,b}` for either. A pattern without a slash is about the name of the file, in whichever folder it is.
+ * Whether the pattern matches the whole `path`. `**` stands for any number of folders, `*` for any characters of a name or none, `?`
+ * for one character, `{a,b}` for either. A pattern without a slash is compared with the file name alone, in any folder.
  */
 export function matchesPath(pattern: string, path: string): boolean {
   const names = path.split('/');
@@ -17,7 +17,7 @@ export function matchesPath(pattern: string, path: string): boolean {
 /** Whether a word of the command line is a pattern and not a name. */
 export const isPathPattern = (text: string): boolean => /[*?{]/.test(text);
 
-/** Row by row over the names: which parts can have been used up; as many steps as the product of the lengths. */
+/** Tracks, name by name, which parts may have been matched so far; takes time up to the product of the lengths. */
 function agree(parts: string[], names: string[]): boolean {
   let open = afterFolders(parts, new Set([0]));
   for (const name of names) {
@@ -31,13 +31,13 @@ function agree(parts: string[], names: string[]): boolean {
   return open.has(parts.length);
 }
 
-/** With all that is open because `**` may stand for no folder. */
+/** Adds the states that follow because `**` may stand for no folder. */
 function afterFolders(parts: string[], open: Set<number>): Set<number> {
   for (const at of open) if (parts[at] === '**') open.add(at + 1);
   return open;
 }
 
-/** The patterns without braces; braces inside braces are not taken apart, and more than this many are refused. */
+/** The most patterns that braces may expand to; nested braces are not expanded. */
 const MOST_PATTERNS = 1000;
 
 function expandBraces(pattern: string): string[] {

@@ -53,7 +53,7 @@ export function editPins(
   }
   const removed = new Set(vertices.filter((vertex) => before.has(vertex)));
   const isListed = new Set(listed);
-  // A vertex that another term pins can only be released by a list of the vertices that remain.
+  // A vertex that another term pins can only be released by replacing all terms with a list of the remaining vertices.
   const needsList = [...removed].some((vertex) => !isListed.has(vertex));
   const kept = (needsList ? [...pinned] : listed).filter((vertex) => !removed.has(vertex));
   return withVertices(needsList ? '' : text, kept, vertexOfSource);

@@ -1,5 +1,5 @@
 /**
- * Vertices as text, for the settings `pins` and `lock`: `low:6`, `high:6` (the lowest, highest 6 %
+ * Sets of vertices as text, for the settings `pins` and `lock`: `low:6`, `high:6` (the lowest, highest 6 %
  * along the longest axis of the bounding box), `box:x0,y0,z0,x1,y1,z1` (units of the body), `attribute:NAME` (where its
  * first component is above one half), `vertices:i,j` (numbers in the file, from 0), joined by `+`.
  */

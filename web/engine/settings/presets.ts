@@ -1,9 +1,9 @@
-/** Settings that go well together for what a result is made for. They say nothing about how many faces are kept. */
+/** Presets: combinations of settings for a purpose. They do not set the number of faces. */
 
 import type { SettingName, Settings } from './table';
 
 export interface Preset {
-  /** as the page writes it */
+  /** its name on the page */
   label: string;
   /** why these settings, in one sentence */
   why: string;
@@ -49,7 +49,7 @@ export interface PresetChange {
   to: Settings[SettingName];
 }
 
-/** What a preset changes of these settings; empty where they are what it asks for. */
+/** The changes that a preset makes to these settings; empty if there are none. */
 export function presetChanges(preset: PresetName, settings: Settings): PresetChange[] {
   const asked: Partial<Settings> = settingsOfPreset(preset);
   return (Object.keys(asked) as SettingName[])

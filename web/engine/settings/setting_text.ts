@@ -7,17 +7,17 @@ import { OPTIONS, SETTING_NAMES } from './table';
 import type { SettingName, Settings } from './table';
 import type { OptionSpec } from './types';
 
-/** The value that `text` stands for; text that is no number comes back as it is, and the range check refuses it. */
+/** Parses the text of a setting; text that should be a number and is not is returned unchanged, and the range check refuses it. */
 export const readSetting = (option: OptionSpec, text: string): unknown =>
   rulesOf(option).read(presentWord(option, text) ?? text);
 
-/** The choice that a word of an earlier version stands for now; null for every other text. */
+/** The present name of a choice that had another name in an earlier version; null for every other text. */
 const presentWord = (option: OptionSpec, text: string): string | null =>
   option.kind === 'choice' && option.formerly && Object.hasOwn(option.formerly, text)
     ? option.formerly[text]
     : null;
 
-/** What is to be said of texts that are words of an earlier version: a sentence each. */
+/** A sentence about each text that is the name of a choice in an earlier version. */
 export function describeFormerWords(
   names: readonly SettingName[],
   textOfFlag: (flag: string) => string | null | undefined,
@@ -31,7 +31,7 @@ export function describeFormerWords(
   });
 }
 
-/** The settings that texts stand for, over the defaults of the method that they name, or of `base`. Nothing is checked. */
+/** Parses settings, over the defaults of the method that they name, or over `base`. Values are not checked. */
 export function readSettings(
   names: readonly SettingName[],
   textOfFlag: (flag: string) => string | null | undefined,
@@ -55,7 +55,7 @@ export interface ChangedSetting {
   text: string | null;
 }
 
-/** What makes these settings of the defaults, in the order of the table; what describes the machine is left out. */
+/** The settings that differ from their defaults, in the order of the table, without those of the machine. */
 export function changedSettings(settings: Settings): ChangedSetting[] {
   const defaults: Settings = {
     ...defaultSettings(settings.method),

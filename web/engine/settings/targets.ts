@@ -1,4 +1,4 @@
-/** Values that are asked for besides settings: which are allowed, and in what words. */
+/** Rules for the values of targets, which are not settings. */
 
 export interface ValueRule {
   isAllowed: (value: unknown) => boolean;

@@ -1,4 +1,4 @@
-/** How a setting is described, by the kind of its value. The descriptions themselves are the rows of table.ts. */
+/** Types of the rows of table.ts, which describe the settings, by the kind of value. */
 
 /** The commands of the command line. */
 export const COMMANDS = ['optimize', 'tune', 'modes', 'compare', 'simulate', 'inspect'] as const;
@@ -20,15 +20,15 @@ interface Described {
   group: OptionGroup;
   /** commands that take the flag besides those that take its group */
   commands?: readonly Command[];
-  /** what stands for the value in the help; left out: see kinds.ts */
+  /** the placeholder of the value in the help; absent: see kinds.ts */
   placeholder?: string;
-  /** where the page has a slider or a switch for it; left out: it has a control of its own there, or none */
+  /** the section of the page with a slider or a switch for it; absent: the page has a special control, or none */
   page?: PageSection;
-  /** It names parts of one file, so another file starts with the default. */
+  /** It refers to parts of one file, so another file starts with the default. */
   isOfFile?: true;
-  /** It says how one model is read or what it is for, so the page starts with the default when another one is opened. */
+  /** It is about the reading or purpose of one model, so the page starts with the default when another one is opened. */
   isOfUse?: true;
-  /** It says how a person likes results written, so the page keeps it whatever is opened. */
+  /** It is a personal preference for written files, so the page keeps it when another model is opened. */
   isOfPerson?: true;
   /** It describes the machine and changes no result, so links and printed command lines leave it out. */
   isOfMachine?: true;
@@ -44,7 +44,7 @@ interface Numeric extends Described, Ranged {
   unit?: string;
   /** of a slider */
   step: number;
-  /** the span of a slider where the whole range would be useless; logarithmic: equal steps are equal factors */
+  /** the range of a slider where the whole range would be impractical; logarithmic: equal steps are equal factors */
   slider?: { min: number; max: number; isLogarithmic?: true };
   default: number;
   /** 0 sets no limit. */
@@ -55,7 +55,7 @@ interface Numeric extends Described, Ranged {
 export interface ChoiceOption extends Described {
   kind: 'choice';
   choices: readonly string[];
-  /** words of earlier versions, and the choice that each stands for now */
+  /** names of choices in earlier versions, and their present names */
   formerly?: Readonly<Record<string, string>>;
   default: string;
 }
@@ -80,7 +80,7 @@ export interface ModesOption extends Described, Ranged {
 export interface NumbersOption extends Described, Ranged {
   kind: 'numbers';
   default: readonly number[];
-  /** what an empty list stands for, where that is not nothing */
+  /** what an empty list stands for, if it has a meaning */
   emptyMeans?: string;
 }
 

@@ -25,7 +25,7 @@ const TIME = 1000;
 const HINGE = 0.1;
 /** kg, of a vertex in Blender's default cloth */
 const DEFAULT_MASS = 0.3;
-/** Beyond this share of Blender's defaults, air and damping of edges leave their ranges. */
+/** The largest factor on Blender's defaults at which air and damping of edges stay within their ranges. */
 const LARGEST_SHARE = 10;
 
 /** The mean stiffness (N m) of a hinge for `bending` 1: a third of the areas of both of its triangles. */
@@ -132,7 +132,7 @@ export const blender: SolverProfile = {
   defaults(material, facts, given) {
     const { area, vertices, meanEdge } = facts;
     const mass = given.mass ?? (material.density * material.thickness * area) / vertices;
-    // A lighter vertex gets as much less air and damping, so that it moves as one of Blender's default cloth.
+    // Air and damping are scaled with the mass of a vertex, so that it moves like one of Blender's default cloth.
     const share = Math.min(LARGEST_SHARE, mass / DEFAULT_MASS);
     return {
       tension: (springOfPlate(material) * meanEdge) / TIME,

@@ -1,4 +1,4 @@
-/** The constraints of a solver on a mesh, by their vertices, in the order that factors have: see wasm/simulate/simulated_solver.h. */
+/** The constraints of a solver on a mesh, by their vertices, in the order of factors: see wasm/simulate/simulated_solver.h. */
 
 import type { SolverModel, TriangleMesh } from '../core/core';
 

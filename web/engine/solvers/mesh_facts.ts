@@ -1,4 +1,4 @@
-/** What a solver's parameters depend on besides the material: how large a mesh is, and how fine. */
+/** Size and resolution of a mesh, on which a solver's parameters depend besides the material. */
 
 import type { TriangleMesh } from '../core/core';
 import { length3 } from '../core/exact_math';
@@ -17,7 +17,7 @@ export interface MeshFacts {
   unit: number;
 }
 
-/** A triangle is flat where its height is no larger share of its longest edge. */
+/** A triangle is flat if its height is at most this share of its longest edge. */
 const FLAT = 1e-7;
 
 /** Whether a triangle of the mesh has no area, up to the rounding of its positions. */

@@ -1,4 +1,4 @@
-/** What the generic families of springs have in common: one stiffness for all edges, one for all bends, the same on every mesh. */
+/** The common part of the generic spring families: one stiffness for all edges and one for all bends, the same on every mesh. */
 
 import type { MeshFacts } from './mesh_facts';
 import { springOfPlate } from './plate';

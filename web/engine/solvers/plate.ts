@@ -1,4 +1,4 @@
-/** Constants of a thin plate of one material, and back. */
+/** Converts the material of a thin plate to solver constants, and back. */
 
 import type { SolverConstants } from '../core/core';
 import type { SolverMaterial } from './profile';

@@ -1,5 +1,5 @@
 /**
- * An engine profile: the parameters that a user types into an engine, and what they amount to in a solver of the panel
+ * An engine profile: the parameters that a user types into an engine, and the constants that follow in a solver model
  * (wasm/elastic/solvers). A profile is one file in this folder and one row of profiles.ts.
  */
 
@@ -9,7 +9,7 @@ import type { MeshFacts } from './mesh_facts';
 /** Native parameters by name, as typed into the engine. */
 export type NativeValues = Readonly<Record<string, number>>;
 
-/** A change from the original to the coarse mesh; each is the coarse mesh's value over the original's. */
+/** The change from the original to the coarse mesh; each field is the coarse mesh's value over the original's. */
 export interface Change {
   /** of the mean edge */
   edge: number;
@@ -20,7 +20,7 @@ export interface Change {
   bend: number;
 }
 
-/** What a native parameter is for an engine, where loaders need to find it without knowing the engine. */
+/** The meaning of a native parameter, by which loaders find it without knowing the engine. */
 export type Role =
   'damping' | 'air' | 'substeps' | 'collisionThickness' | 'friction' | 'selfCollisionDistance';
 
@@ -36,13 +36,13 @@ export interface NativeParameter {
   words: string;
   role?: Role;
   /**
-   * Of a parameter that `elastic` does not give: the factor from the value on the original to the one on the coarse mesh. The
+   * For a parameter that `elastic` does not give: the factor from the value on the original to the one on the coarse mesh. The
    * result is kept within the range. Absent: `elastic` gives the value.
    */
   carried?: (change: Change) => number;
 }
 
-/** What the defaults of native parameters follow from. */
+/** The material from which the defaults of native parameters follow. */
 export interface SolverMaterial {
   /** Young's modulus, Pa */
   young: number;
@@ -56,7 +56,7 @@ export interface SolverMaterial {
   bendRatio: number;
 }
 
-/** What an engine can take besides a number for the whole body. */
+/** What an engine accepts besides one number for the whole body. */
 export interface Takes {
   /** a factor for every vertex, on stretching and on bending */
   vertexMaps: boolean;
@@ -69,19 +69,19 @@ export interface Takes {
 export interface SolverProfile {
   name: string;
   label: string;
-  /** what it is, as an aside */
+  /** a short description, for parentheses */
   words: string;
   stretch: SolverModel['stretch'];
   bend: SolverModel['bend'];
   /** how the engine distributes the mass of a body by itself */
   mass: MassRule;
   takes: Takes;
-  /** verified: frequencies of the panel's solver agree with the engine's own (docs/engines.md); derived: from its sources alone */
+  /** verified: frequencies of the solver model agree with the engine's own (docs/engines.md); derived: from the engine's sources alone */
   status: 'generic' | 'verified' | 'derived';
-  /** whether the number of substeps that is needed follows from the stiffest constraint: explicit steps, XPBD and VBD */
+  /** whether the stiffest constraint determines the number of substeps: explicit steps, XPBD and VBD */
   isLocal: boolean;
   parameters: readonly NativeParameter[];
-  /** Values for everything that the user has not `given`; with the material of the settings on the original. */
+  /** Values of the parameters that the user has not `given`, from the material of the settings on the original. */
   defaults(material: SolverMaterial, original: MeshFacts, given: NativeValues): NativeValues;
   /** The constants of the solver on a mesh into whose settings these values are typed. */
   constants(values: NativeValues, facts: MeshFacts): SolverConstants;
@@ -89,11 +89,11 @@ export interface SolverProfile {
   elastic(constants: SolverConstants, facts: MeshFacts): NativeValues;
 }
 
-/** For parameters that do not depend on the mesh. */
+/** The factor of parameters that do not depend on the mesh. */
 export const asItIs = (): number => 1;
-/** For lengths that have to stay a share of the edges: distances of collision. */
+/** The factor of lengths in proportion to the edges, such as collision distances. */
 export const withEdge = ({ edge }: Change): number => edge;
-/** For what acts on each vertex and has to stay the same in sum. */
+/** The factor of quantities per vertex whose sum must not change. */
 export const perVertex = ({ vertices }: Change): number => 1 / vertices;
 
 /** All native values: the user's own over the defaults. */
@@ -102,7 +102,7 @@ export const completeValues = (
   { material, original, given }: { material: SolverMaterial; original: MeshFacts; given: NativeValues },
 ): NativeValues => ({ ...profile.defaults(material, original, given), ...given });
 
-/** A mesh with the values that are typed in for it and what they amount to. */
+/** A mesh with the values that are typed in for it and the constants that follow from them. */
 export interface SolverState {
   values: NativeValues;
   constants: SolverConstants;
@@ -146,6 +146,6 @@ export function valueOfRole(profile: SolverProfile, values: NativeValues, role: 
   return parameter && values[parameter.name];
 }
 
-/** The total mass that constants stand for on a mesh, kg. */
+/** The total mass of a mesh with these constants, kg. */
 export const totalMass = ({ surfaceDensity }: SolverConstants, { area }: MeshFacts): number =>
   surfaceDensity * area;

@@ -23,7 +23,7 @@ export const SOLVER_NAMES = [
 
 export type SolverName = (typeof SOLVER_NAMES)[number];
 
-/** Families of solvers that no engine stands behind, for whoever does not know where a result will move. */
+/** Generic families of solvers, for users who do not know yet in which engine a result will move. */
 export const GENERIC_SOLVERS = ['shell', 'hinge-shell', 'dihedral', 'springs'] as const;
 
 export type GenericSolver = (typeof GENERIC_SOLVERS)[number];

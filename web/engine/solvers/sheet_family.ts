@@ -1,4 +1,4 @@
-/** What the generic families of one material have in common: parameters of a thin sheet, the same on every mesh. */
+/** The common part of the generic families with a material: the parameters of a thin sheet, the same on every mesh. */
 
 import { asItIs, withEdge } from './profile';
 import type { NativeParameter, SolverProfile } from './profile';

@@ -1,4 +1,4 @@
-/** What an original and its result are simulated with in a solver: as it is, with the same numbers typed in again, or tuned. */
+/** The parameters of an original and its result in a solver: untouched, with the same numbers typed in again, or tuned. */
 
 import type { SimulatedSolver, TriangleMesh, Tuned } from '../core/core';
 import { profileOf } from './profiles';
@@ -24,7 +24,7 @@ export function untouchedSolvers(
   };
 }
 
-/** The original with the user's own parameters, the result with all that its tuning has found. */
+/** The original with the user's own parameters, the result with everything that was tuned. */
 export function tunedSolvers({ model, original, result, tuned }: TunedBody): SolverPair {
   return {
     original: { model, constants: original.constants },
@@ -34,7 +34,7 @@ export function tunedSolvers({ model, original, result, tuned }: TunedBody): Sol
 
 type Factors = Pick<SimulatedSolver, 'stretchFactors' | 'bendFactors'>;
 
-/** What a tuning has found for single constraints, by its maps of vertices or for each by itself. */
+/** The tuned factors per constraint, from maps over vertices or one by one. */
 export function factorsOf(
   { stretch, bend }: SimulatedSolver['model'],
   tuned: Pick<

@@ -1,4 +1,4 @@
-/** How many substeps a solver of local constraints needs: a bound on the fastest vibration of its mesh. */
+/** The substeps that a solver of local constraints needs, from a bound on the fastest vibration of its mesh. */
 
 import type { SolverConstants, SolverModel, TriangleMesh, Tuned } from '../core/core';
 import { length3 } from '../core/exact_math';
@@ -6,10 +6,10 @@ import { cross, difference, dot } from '../core/vectors';
 import type { Vector } from '../core/vectors';
 import { vertexCount } from '../core/mesh';
 
-/** Seconds of a step. */
+/** Duration of a step in seconds. */
 const STEP = 1 / 60;
 
-/** A constraint with its stiffness (N/m over the square of `norms`' unit) and the length of its gradient at each vertex. */
+/** A constraint with its stiffness (N/m over the squared unit of `norms`) and the norm of its gradient at each vertex. */
 interface Constraint {
   vertices: number[];
   stiffness: number;
@@ -36,7 +36,7 @@ interface TunedMesh {
 /**
  * The substeps of a step of 1/60 s at which a substep is no longer than 1 / omega of the fastest vibration, so that explicit steps
  * are stable, and XPBD and VBD lose little. omega^2 is bounded by the largest sum of a row of M^-1 K, in blocks (Gershgorin): the true
- * one is smaller, mostly by less than half. Null where no number is enough, as where a triangle has no area.
+ * one is smaller, mostly by less than half. Null if no number is enough, as with a triangle of zero area.
  */
 export function substepsNeeded(tunedMesh: TunedMesh): number | null {
   const { mesh, tuned } = tunedMesh;
@@ -86,7 +86,7 @@ const spring = (vertices: number[], stiffness: number): Constraint => ({
   norms: [1, 1],
 });
 
-/** Gradients of the shape functions are as long as the inverse of the heights. */
+/** The norms of the gradients of the shape functions are the inverse heights. */
 function membrane(
   vertices: number[],
   at: (v: number) => Vector,
@@ -99,7 +99,7 @@ function membrane(
   return { vertices, stiffness: (scale * (secondStretch + 2 * stretch) * double) / 2, norms };
 }
 
-/** Corners opposite the edge turn it by the inverse of their heights, its ends by shares of both. */
+/** The angle changes by the inverse height for the opposite corners, and by shares of both for the ends of the edge. */
 function hinge(vertices: number[], at: (v: number) => Vector, bend: number, model: SolverModel): Constraint {
   const [i, j, k, l] = vertices.map(at);
   const edge = difference(i, j);

@@ -1,4 +1,4 @@
-/** Tunes a coarse mesh to its original in a solver: what is typed in for the original, and what for the coarse mesh. */
+/** Tunes a coarse mesh to its original in a solver: finds the values to type in for the original and for the coarse mesh. */
 
 import type {
   Core,
@@ -22,9 +22,9 @@ export interface TuneRequest {
   /** the user's own parameters for the original; the others follow from `material` */
   given: NativeValues;
   material: SolverMaterial;
-  /** 'auto': as the engine does it by itself */
+  /** 'auto': the engine's own rule */
   massRule: MassRule | 'auto';
-  /** whether the motion is tried before anything is handed over */
+  /** whether a motion trial decides between tuned and untouched */
   runsTrial: boolean;
 }
 
@@ -46,16 +46,16 @@ export interface TunedBody {
   /** how the masses of the coarse mesh are distributed: carried over from the original by area, or equal */
   massRule: MassRule;
   original: SolverState;
-  /** the coarse mesh; its constants have the factors in them */
+  /** the coarse mesh; its constants contain the tuned factors */
   result: SolverState;
   mesh: TriangleMesh;
   pins: Uint32Array;
   tuned: Tuned;
-  /** of a step of 1/60 s, or what the engine counts instead, so that the motion converges; null: not known */
+  /** substeps of a step of 1/60 s, or the engine's equivalent, at which the motion converges; null: unknown */
   substeps: number | null;
 }
 
-/** Throws the core's sentence where the meshes do not belong together. */
+/** Tunes a body. Throws the core's Error where the meshes do not belong together. */
 export function tuneBody(core: Core, pair: TunedPair, request: TuneRequest): TunedBody {
   const profile = profileOf(request.solver);
   const { original, untouched } = statesOf(profile, pair, request);
@@ -92,7 +92,7 @@ export const modelOf = (
   mass: rule === 'auto' ? mass : rule,
 });
 
-/** The original with the user's parameters, and the coarse mesh with the same numbers typed in again. */
+/** The original with the user's parameters, and the untouched coarse mesh with the same numbers. */
 export function statesOf(
   profile: SolverProfile,
   pair: Pick<TunedPair, 'original' | 'result' | 'unit'>,
@@ -107,7 +107,7 @@ export function statesOf(
   };
 }
 
-/** The constants of the coarse mesh with the factors in them, and the total mass of the original. */
+/** The constants of the coarse mesh with the tuned factors and the total mass of the original. */
 export function tunedConstants(
   original: SolverState,
   untouched: SolverState,
