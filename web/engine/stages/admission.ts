@@ -1,4 +1,4 @@
-/** Refuses work whose memory the core cannot have, before the work begins. */
+/** Refuses work that needs more memory than the core can have, before it begins. */
 
 import type { PreparedBody } from '../body/prepared_body';
 import { counted } from '../core/words';
@@ -8,7 +8,7 @@ import type { Settings } from '../settings/options';
 /** Bytes of the core's memory for a face of the largest mesh, measured at a million faces: tests/bench/seconds.mjs prints them. */
 const BYTES_PER_FACE = { reduced: 430, fitted: 900 };
 
-/** How much memory the core may have, and who can give it more: the cures of errors are theirs. */
+/** The memory that the core may have, and the caller, whose means of raising it errors name. */
 export interface MemoryLimit {
   heapLimit: number;
   caller: Caller;

@@ -1,4 +1,4 @@
-/** What the settings, and the settings file of a tuned body, ask of a simulation. */
+/** The solvers of a simulation, from the settings or the settings file of a tuned body. */
 
 import { materialOf } from '../body/material';
 import type { PreparedBody } from '../body/prepared_body';
@@ -11,7 +11,7 @@ import { simulatedMaterial, solversAsTheyAre } from '../motion/simulation';
 
 const OF_SETTINGS_FILE = ['engine', 'bendRatio', 'massRule'] as const;
 
-/** What is simulated, for the report. `tuning`: what the other body was tuned with, or null. */
+/** The simulated solver or material, for the report. `tuning`: the settings file of the other body, or null. */
 export function askedMotion(settings: Settings, tuning: SettingsFile | null, isPair: boolean) {
   const { scenario, solver: named } = settings;
   const material = simulatedMaterial(settings);
@@ -29,7 +29,7 @@ export function checkBesideTuning(settings: Settings): void {
     );
 }
 
-/** What both are simulated with in a solver; null without one. */
+/** The solvers of both bodies; null where none is chosen. */
 export function solversOf(
   settings: Settings,
   original: PreparedBody,

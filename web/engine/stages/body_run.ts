@@ -4,7 +4,7 @@ import type { CoreCall } from './many_bodies/core_call';
 import { dependsOn, keyOf } from './stage';
 import type { AnyStage, RunContext, RunSettings, SettingsOf, ValueOf } from './stage';
 
-/** The last value of a stage, what it was made from, and what that took. */
+/** The last value of a stage, the key of its inputs, and the time that it took. */
 interface Memo {
   key: string;
   value: unknown;
@@ -14,7 +14,7 @@ interface Memo {
 
 export class BodyRun {
   private readonly memos = new Map<AnyStage, Memo>();
-  /** seconds that were spent on stages before their runs */
+  /** seconds that were spent on the next values of stages ahead of their runs */
   private readonly secondsBefore = new Map<AnyStage, number>();
 
   /** `onStage` is called with the name of each stage that is about to be computed. */
@@ -24,26 +24,26 @@ export class BodyRun {
   ) {}
 
   /**
-   * The value of a stage under these settings: the last one where nothing has changed that it follows from, otherwise
-   * computed, with what it needs. Throws what the stage throws; earlier values then stay. Values must not be changed.
+   * The value of a stage under these settings: the last one if nothing that it depends on has changed, otherwise
+   * computed, with the stages that it needs. Throws what the stage throws; earlier values then stay. Values must not be modified.
    */
   get<S extends AnyStage>(stage: S, settings: SettingsOf<S>): ValueOf<S> {
     return this.memoOf(stage, settings as RunSettings).value as ValueOf<S>;
   }
 
-  /** Seconds that the stage took, without those that it needs; 0 where its value under these settings is not there. */
+  /** Seconds that the stage took, without the stages that it needs; 0 without a value under these settings. */
   secondsOf<S extends AnyStage>(stage: S, settings: SettingsOf<S>): number {
     return this.has(stage, settings) ? this.memos.get(stage)!.seconds : 0;
   }
 
-  /** Whether the value of the stage under these settings is there. */
+  /** Whether the value of the stage under these settings has been computed. */
   has<S extends AnyStage>(stage: S, settings: SettingsOf<S>): boolean {
     return this.memos.get(stage)?.key === keyOf(stage, settings);
   }
 
   /**
-   * The calls of the core with which the stage would begin under these settings, and none where its value is there. Computes what the
-   * stage needs; throws what these stages throw.
+   * The calls of the core with which the stage would begin under these settings; none if its value has been computed. Computes the stages that the
+   * stage needs; throws what they throw.
    */
   firstCalls<S extends AnyStage>(stage: S, settings: SettingsOf<S>): CoreCall[] {
     const all = settings as unknown as RunSettings;
@@ -56,7 +56,7 @@ export class BodyRun {
     return first(this.context, this.inputsOf(stage, all), stage.derive(all));
   }
 
-  /** Counts seconds that were spent on the next value of the stage before its run. */
+  /** Adds seconds that were spent on the next value of the stage ahead of its run. */
   addSeconds(stage: AnyStage, seconds: number): void {
     this.secondsBefore.set(stage, (this.secondsBefore.get(stage) ?? 0) + seconds);
   }
@@ -66,14 +66,14 @@ export class BodyRun {
     const known = this.memos.get(stage);
     if (known?.key === key) return known;
     const memo = { key, ...this.compute(stage, settings) };
-    const last = this.memos.get(stage); // none where a stage that it needs has taken it away
+    const last = this.memos.get(stage); // undefined if a stage that it needs has removed it
     this.memos.set(stage, memo);
     if (last) this.release(stage, last);
     if (last && stage.hasHandle) this.forgetDependents(stage);
     return memo;
   }
 
-  /** Values may have been made from what the stage has given back, and may still use it when they are asked something. */
+  /** Forgets the values that were made from a released handle, because they may still use it. */
   private forgetDependents(stage: AnyStage): void {
     for (const [other, memo] of [...this.memos])
       if (dependsOn(other, stage)) {
@@ -82,7 +82,7 @@ export class BodyRun {
       }
   }
 
-  /** Gives back what the values hold in the core. The run must not be used afterwards. */
+  /** Releases the handles of all values in the core. The run must not be used afterwards. */
   dispose(): void {
     this.memos.forEach((memo, stage) => this.release(stage, memo));
     this.memos.clear();

@@ -23,5 +23,5 @@ export const constraintsStage = declareStage({
     constraintsOf(documentOf(context), prepared, pinned, settings),
 });
 
-/** Only settings that name an attribute touch it, which a body without a document has none of. */
+/** The document; only settings that name an attribute use it, and a body without a document has no attributes. */
 const documentOf = ({ document }: RunContext): Document => document!;

@@ -1,4 +1,4 @@
-/** What is written of a file: the GLB of all bodies, its further levels, the binding and the report. */
+/** The outputs of a file: the model with all bodies, its further levels, the binding and the report. */
 
 import { bindingOfBody } from '../body/body_binding';
 import { allFaces, layeredFaces } from '../body/layers';
@@ -34,20 +34,20 @@ import type { BodyWork } from './many_bodies/parallel_bodies';
 import { STAGES } from './stages';
 import { tunedResultStage } from './tuned';
 
-/** Roughly, beside that of the first level with the history. */
+/** The work for a further level, roughly, relative to that of the first level with its history. */
 const WORK_OF_LEVEL = 0.2;
 
 /** A further level of detail, not yet written anywhere. */
 export interface LevelOutput {
   /** none where the level is in the file of the first */
   files: SourceFile[];
-  /** as they are written */
+  /** the number of faces as written */
   faces: number;
   bodies: StoppedBody[];
   report: Omit<LevelReport, 'file'>;
 }
 
-/** Everything is computed when it is first asked for; the runs keep it. */
+/** Computes each output on first use; the runs keep the values. */
 export class FileOutput {
   /** by body of the file; frozen, so that keys of them are made once */
   private readonly ofBody = new Map<number, Readonly<RunSettings>>();
@@ -57,12 +57,12 @@ export class FileOutput {
     private readonly request: FileRequest,
   ) {}
 
-  /** Takes every body through its stages as far as its result, which is not measured. */
+  /** Runs every body up to its result, without measuring it. */
   fit(): void {
     this.runBodies(STAGES.fitted);
   }
 
-  /** Takes every body through its stages as far as its measured result; `onDone` is told of each. */
+  /** Runs every body up to its measured result and calls `onDone` for each. */
   compute(onDone?: (run: BodyRun, settings: RunSettings) => void): void {
     const share = 1 / (1 + WORK_OF_LEVEL * this.levelCount);
     this.runBodies(STAGES.measured, { share, onDone: ({ run, i }) => onDone?.(run, this.runSettings(i)) });
@@ -73,7 +73,7 @@ export class FileOutput {
     return this.file.usable.map(({ run, i }) => run.get(stage, this.settingsFor<S>(i)));
   }
 
-  /** As `files`, of a GLB whatever the settings ask for. */
+  /** As `files`, but always a GLB. */
   async glb(): Promise<Uint8Array> {
     const [{ bytes }] = await this.write('model.glb', { format: 'glb', isZipped: false }, this.firstLevels());
     return bytes;
@@ -88,7 +88,7 @@ export class FileOutput {
     return this.write(name, this.formOf(name), this.firstLevels());
   }
 
-  /** Whether further levels are files of their own. */
+  /** Whether further levels are written to separate files. */
   get hasLevelFiles(): boolean {
     return this.request.settings.lodStyle === 'files';
   }
@@ -175,19 +175,19 @@ export class FileOutput {
     return this.values(STAGES.fitted).map(({ result }) => result);
   }
 
-  /** The faces of all bodies that take part, with all their layers, as they came and as they are written. */
+  /** The faces, with all layers, of the bodies that take part: of the originals and of the written results. */
   writtenFaces(): { before: number; after: number } {
     const layers = this.prepared().map((prepared) => prepared.layers);
     return { before: sum(layers.map(allFaces)), after: sum(this.writtenFacesOfBodies()) };
   }
 
-  /** The faces of every body that takes part, with all their layers, as they are written. */
+  /** The written faces, with all layers, of each body that takes part. */
   writtenFacesOfBodies(): number[] {
     const prepared = this.prepared();
     return this.results().map(({ inputOfTriangle }, i) => layeredFaces(prepared[i].layers, inputOfTriangle));
   }
 
-  /** Why each body has as many faces as it has. */
+  /** Why each body stopped at its number of faces. */
   stopped(): StoppedBody[] {
     const histories = this.values(STAGES.history);
     const { usable } = this.file;

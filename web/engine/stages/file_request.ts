@@ -1,4 +1,4 @@
-/** What is asked of a file as a whole. */
+/** The request for a whole file. */
 
 import type { Settings } from '../settings/options';
 import { keyOf } from './stage';
@@ -7,7 +7,7 @@ import { STAGES } from './stages';
 
 export interface FileRequest {
   settings: Settings;
-  /** the number of faces that the whole file was asked for; absent: the sum of the targets */
+  /** the requested number of faces of the whole file; absent: the sum of the targets */
   faces?: number;
   /** targets[i]: the most faces that the result of body i of the file may have */
   targets: number[];
@@ -33,7 +33,7 @@ export const runSettings = (
   fields,
 });
 
-/** Text that is equal for two requests where the same file, with the same further levels, comes of both. */
+/** A key that is equal for two requests if they give the same file with the same further levels. */
 export function keyOfFile({
   settings,
   targets,

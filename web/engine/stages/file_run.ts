@@ -17,8 +17,8 @@ import { STAGES } from './stages';
 
 export interface FileRunOptions {
   /**
-   * Whether modes are needed for the guidance of results alone, which is the default: a part that cannot be solved is not guided, and
-   * parts of a file with many are solved more coarsely. false: modes for their own sake.
+   * Whether modes are needed only for guidance, which is the default: a part that cannot be solved is not guided, and
+   * parts of a file with many are solved more coarsely. false: the modes themselves are wanted.
    */
   guides?: boolean;
   /** numbers of the bodies that take part; absent: all of them */
@@ -29,12 +29,12 @@ export interface FileRunOptions {
   onProgress?: (span: WorkSpan | null) => void;
   /** called with the name of each stage that is about to be computed */
   onStage?: (stage: string) => void;
-  /** whose words errors have; absent: the command line's */
+  /** who reads the errors; absent: the command line */
   caller?: Caller;
 }
 
 /**
- * The runs over the bodies of a model; page, command line and library work through it and `FileOutput`. To make one throws an Error
+ * The runs over the bodies of a model; page, command line and library work through it and `FileOutput`. The constructor throws an Error
  * where the core cannot have enough memory.
  */
 export class FileRun {
@@ -73,7 +73,7 @@ export class FileRun {
     return this.all;
   }
 
-  /** Gives back what the runs hold in the core. The file must not be run afterwards. */
+  /** Releases the handles of the runs in the core. The file must not be run afterwards. */
   dispose(): void {
     for (const run of this.all) run?.dispose();
   }
@@ -84,7 +84,7 @@ export class FileRun {
   }
 
   /**
-   * Prepares the bodies that take part, and leaves out those without a usable face; returns one sentence for each of these.
+   * Prepares the bodies that take part and drops those without a usable face; returns one sentence for each of these.
    * Throws the first of the errors where no body is left, and an Error where results need more memory than the core can have.
    */
   prepare(settings: Settings): string[] {
@@ -134,7 +134,7 @@ export class FileRun {
     return some.map(({ run }) => run.get(STAGES.prepared, settings));
   }
 
-  /** Tells `onActivity` that work on the body of this run begins. */
+  /** Calls `onActivity` when work on the body of this run begins. */
   announce({ context }: BodyRun): void {
     this.options.onActivity?.(context.body.name);
   }

@@ -1,4 +1,4 @@
-/** What is to be known of a run over a file, for the command line and the library alike. */
+/** Warnings about a run over a file, for both the command line and the library. */
 
 import { describeFailedModes, describeHealth, describeSize } from '../body/health';
 import { materialOf } from '../body/material';
@@ -14,7 +14,7 @@ import type { FileRun } from './file_run';
 import type { RunSettings } from './stage';
 import { STAGES } from './stages';
 
-/** Prepares the bodies: those that stay as they are, and what was repaired or set aside. Throws an Error where no body is usable. */
+/** Prepares the bodies; warns of those that are left unchanged, and of repairs. Throws an Error where no body is usable. */
 export function preparedWarnings(file: FileRun, settings: Settings): Warning[] {
   const unusable = file
     .prepare(settings)
@@ -30,7 +30,7 @@ export function preparedWarnings(file: FileRun, settings: Settings): Warning[] {
   return [...unusable, ...health, ...(settings.solver === 'none' ? [] : unevenlyScaled(file, settings))];
 }
 
-/** A solver moves the mesh itself, which has one unit. */
+/** Warnings about non-uniform scales of nodes: a solver moves the mesh itself, which has one unit. */
 const unevenlyScaled = (file: FileRun, settings: Settings): Warning[] =>
   file
     .prepared(settings)
@@ -43,7 +43,7 @@ const unevenlyScaled = (file: FileRun, settings: Settings): Warning[] =>
       ),
     );
 
-/** Bodies whose size in metres is implausible. `nameOf`: what the reader knows settings as. */
+/** Warnings about bodies of implausible size in metres. `nameOf`: the reader's names for settings. */
 export const sizeWarnings = (
   file: FileRun,
   settings: Settings,
@@ -54,7 +54,7 @@ export const sizeWarnings = (
     return size ? [ofBody(body.body.name, wordNote(size, nameOf))] : [];
   });
 
-/** Where the result of a body did not come about as asked. */
+/** Warnings where the result of a body differs from the request. */
 export function resultWarnings(run: BodyRun, settings: RunSettings): Warning[] {
   const { name } = run.context.body;
   const { note } = run.get(STAGES.constraints, settings);
@@ -82,12 +82,12 @@ export function modesOfFile(file: FileRun, settings: Settings): { sets: ModeSet[
   return { sets: all.map(({ set }) => set), warnings };
 }
 
-/** Degrees; smaller angles are those of triangles without area. */
+/** Degrees; triangles with smaller angles count as having no area. */
 const NO_ANGLE = 1e-6;
 
 const hasNoArea = ({ quality }: PreparedBody): boolean => quality.meanMinAngle < NO_ANGLE;
 
-/** Bodies that have no modes which could be compared, so that their errors of 0 say nothing. */
+/** Warnings about bodies without modes, whose frequency errors of 0 mean nothing. */
 export const comparedWarnings = (originals: PreparedBody[]): Warning[] =>
   originals
     .filter(hasNoArea)

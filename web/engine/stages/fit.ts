@@ -31,13 +31,13 @@ type AllSettings = Pick<Settings, (typeof FIT_SETTINGS)[number]>;
 type Limits = Pick<AllSettings, 'seams' | 'maxDeviation' | 'minAngle'>;
 type ShellSettings = Pick<AllSettings, 'thickness' | 'poisson'>;
 
-/** What a fit depends on: a fit to the surface knows nothing of the shell. */
+/** The settings of a fit; a fit to the surface does not depend on the shell. */
 export interface FitSettings extends Limits {
   /** null: the fit is to the surface alone */
   shell: ShellSettings | null;
 }
 
-/** The settings that the fit depends on; null: results stay as the collapses left them. */
+/** The settings that the fit depends on; null: results are not fitted. */
 export function fitSettings(settings: AllSettings): FitSettings | null {
   const fit = fitOf(settings);
   if (fit === 'off') return null;
@@ -45,26 +45,26 @@ export function fitSettings(settings: AllSettings): FitSettings | null {
   return { seams, maxDeviation, minAngle, shell: fit === 'modal' ? { thickness, poisson } : null };
 }
 
-/** How a level is fitted. */
+/** The inputs of a fit. */
 export interface FitRequest {
   constraints: BodyConstraints;
-  /** null: not at all */
+  /** null: no fit */
   settings: FitSettings | null;
-  /** whether the result is so near to its largest deviation that a fit without this limit is not worth trying first */
+  /** whether the result is so close to its deviation limit that a fit without the limit is not worth trying first */
   isNearLimit?: boolean;
   /** see RunContext */
   cache?: ValueCache;
 }
 
 /**
- * The shares of the largest deviation that fits may use, one after the other. They look at samples, and where these miss too much, the
- * last one stays away farther.
+ * The shares of the deviation limit that fits may use, tried in turn. A fit measures at samples; if these miss too much, the
+ * last share leaves a margin.
  */
 const DEVIATION_SHARES = [1, 0.85];
 
 /**
  * The result, fitted to the original's surface, or with `shell` to its modes as well. Pinned and locked vertices stay where they are, and a mirror symmetry is kept.
- * Where the fit would break the largest deviation or the smallest angle of the settings, the result stays as it is.
+ * If the fit would violate the largest deviation or the smallest angle of the settings, the result is returned unfitted.
  */
 export function fitResult(
   core: Core,
@@ -105,7 +105,7 @@ const asFitted = (fitted: Fitted, { shell }: FitSettings): FittedResult => ({
   unfitted: describeUnfitted(fitted),
 });
 
-/** A fit without a limit is tried first: it is fast, and mostly stays within the limit. */
+/** The shares to try; Infinity is a fit without the limit, which comes first because it is fast and mostly stays within it. */
 function sharesOf({ maxDeviation }: FitSettings, isNearLimit = false): number[] {
   if (maxDeviation === 0) return [Infinity];
   return isNearLimit ? DEVIATION_SHARES : [Infinity, ...DEVIATION_SHARES];
@@ -177,7 +177,7 @@ export function fittedLevelAt(
   return fitResult(core, prepared, levelAt(core, kept, faces), request);
 }
 
-/** What is known of frequencies where they were not looked at. */
+/** The frequency errors of a fit that does not compute them. */
 const NO_ERRORS = {
   errorBefore: new Float64Array(),
   errorAfter: new Float64Array(),
@@ -201,14 +201,14 @@ function keepsAngle(core: Core, [before, after]: BeforeAndAfter, { minAngle }: F
   return minAngle === 0 || angleOf(after) >= Math.min(minAngle, angleOf(before));
 }
 
-/** The same of the largest deviation. */
+/** The same for the largest deviation. */
 function keepsDeviation(
   core: Core,
   prepared: PreparedBody,
   [before, after]: BeforeAndAfter,
   { maxDeviation }: FitSettings,
 ): boolean {
-  // What is kept is measured in full later on, and that is remembered.
+  // A kept result is measured in full later anyway, and the measurement is cached.
   if (maxDeviation === 0 || measureDistance(core, prepared, after).hausdorff <= maxDeviation) return true;
   if (isWithinDeviation(core, prepared, before, maxDeviation)) return false;
   return measureDeviation(core, prepared, after) <= measureDeviation(core, prepared, before);

@@ -18,9 +18,9 @@ import { declareStage } from './stage';
 import { TUNE_SETTINGS, tuneSettings } from './tune';
 
 export interface FittedLevel extends FittedResult {
-  /** null where frequencies are no target */
+  /** null without a frequency target */
   frequency: FrequencyFinding | null;
-  /** null where no deviation has stopped it */
+  /** null unless the deviation limit stopped it */
   guard: GuardFinding | null;
 }
 
@@ -35,7 +35,7 @@ function frequencyTarget(
   return { targetFaces, maxFrequencyError, material, tune: tuneSettings(asked) };
 }
 
-/** The level of `targetFaces`, or one of more faces where frequencies would be off too far, fitted. */
+/** The fitted level with `targetFaces`, or one with more faces if the frequency errors would be too large. */
 export const fittedStage = declareStage({
   name: 'fitted',
   reads: [...FIT_SETTINGS, ...TUNE_SETTINGS, 'maxFrequencyError', 'targetFaces'],

@@ -1,4 +1,4 @@
-/** Stages: the further levels of detail of a body, from the history that is there. */
+/** Stages: the further levels of detail of a body, from the same history. */
 
 import type { Measured } from '../body/body_result';
 import type { MeshAt } from '../core/core';
@@ -17,7 +17,7 @@ import { measureResult } from './measure';
 import { preparedStage } from './prepared';
 import { declareStage } from './stage';
 
-/** What the collapses alone leave at a further level. */
+/** A further level before its fit. */
 interface CollapsedLevel {
   targetFaces: number;
   level: MeshAt;
@@ -59,7 +59,7 @@ export interface FurtherLevel {
   measured: Measured;
 }
 
-/** One for each of `lods`, in their order; a target for the frequencies is that of the first level alone. */
+/** One for each of `lods`, in their order; a frequency target applies only to the first level. */
 export const furtherLevelsStage = declareStage({
   name: 'further levels',
   reads: ['maxDeviation', ...FIT_SETTINGS],

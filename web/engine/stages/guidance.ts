@@ -44,7 +44,7 @@ export const curvatureStage = declareStage({
   run: ({ core }, { prepared }) => core.meanCurvature(prepared.mesh),
 });
 
-/** Null where a body has none; attributes of more numbers than the core takes cost nothing. */
+/** Null where a body has no attributes; those with more values than the core accepts are ignored. */
 const costsStage = declareStage({
   name: 'costs',
   reads: [],
@@ -55,18 +55,18 @@ const costsStage = declareStage({
   },
 });
 
-/** Quadrics alone know nothing of modes. */
+/** Whether the method uses modes; quadrics alone do not. */
 const isGuided = (settings: Pick<Settings, 'method'>): boolean => methodOf(settings).needsGuidance;
 
 export const guidingModes = where(modesStage, ['method'], isGuided);
 export const guidingStrain = where(guidanceStage, ['method'], isGuided);
-/** Eq. 11 alone has a term of curvature. */
+/** Only Eq. 11 has a curvature term. */
 export const guidingCurvature = where(
   curvatureStage,
   ['method'],
   (settings) => methodOf(settings).needsCurvature,
 );
-/** What attributes cost; the paper's method knows nothing of them, and seams that are crossed cost nothing. */
+/** Attributes that enter the cost: none in the paper's method, or if seams are crossed. */
 export const chargedCosts = where(
   costsStage,
   ['method', 'seams'],

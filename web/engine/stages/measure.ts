@@ -5,7 +5,7 @@ import { trianglesOfLayers } from '../body/layers';
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, Inspection, MeshAt, SurfaceDistance, TriangleMesh } from '../core/core';
 
-/** Measures the result as a reader of the exported file finds it, with all of its layers. */
+/** Measures the result with all of its layers, as it is in the exported file. */
 export function measureResult(core: Core, prepared: PreparedBody, result: MeasuredResult): Measured {
   const { positions, triangles } = result.mesh;
   const { layers } = prepared;
@@ -24,10 +24,10 @@ export function measureResult(core: Core, prepared: PreparedBody, result: Measur
   };
 }
 
-/** `inputOfTriangle` tells which triangles have further layers; without it none has. */
+/** A result; without `inputOfTriangle` no triangle has further layers. */
 type MeasuredResult = Pick<MeshAt, 'mesh'> & Partial<Pick<MeshAt, 'inputOfTriangle'>>;
 
-/** What has been measured, so that guard, fit and report measure the same mesh once. */
+/** Cached measurements, so that guard, fit and report measure the same mesh once. */
 interface Known {
   mesh: TriangleMesh;
   samples: number;
@@ -43,7 +43,7 @@ function knownOf({ mesh, samples }: PreparedBody, other: TriangleMesh): Known | 
   return known?.mesh === mesh && known.samples === samples ? known : undefined;
 }
 
-/** Between the prepared mesh and `other`, in % of the prepared mesh's diagonal. Neither may have changed since the last call. */
+/** The distance between the prepared mesh and `other`, in % of the prepared mesh's diagonal. Cached by identity: neither may have changed since the last call. */
 export function measureDistance(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
   const known = knownOf(prepared, other)?.distance;
   if (known) return known;

@@ -1,4 +1,4 @@
-/** Stages: what is measured of the result, and the factor on its stiffness. */
+/** Stages: the measurements of the result, and the factor on its stiffness. */
 
 import { MATERIAL_SETTINGS } from '../body/material';
 import { calibrationOf } from '../motion/simulation';

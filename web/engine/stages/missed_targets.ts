@@ -14,26 +14,26 @@ import { STAGES } from './stages';
 
 const DEFAULT_RATIO = 0.5;
 
-/** Limits of which nothing is missed where a default or a preset sets them: they are guards then. */
+/** Limits that are targets only if the user set them; those of a default or a preset are guards. */
 export const LIMITS = ['maxDeviation', 'minAngle', 'maxFrequencyError'] as const satisfies SettingName[];
 
-/** What is a target only where it was asked for by name. */
+/** Settings that are targets only if the user named them. */
 export const NAMED_TARGETS = [...LIMITS, 'lods'] as const satisfies SettingName[];
 
-/** What was asked for. */
+/** The targets of a request. */
 export interface AskedTargets extends FaceTarget {
   settings: Settings;
-  /** those of NAMED_TARGETS that were asked for by name */
+  /** those of NAMED_TARGETS that the user named */
   named: ReadonlySet<SettingName>;
 }
 
-/** How the reader knows what a sentence names. */
+/** The reader's names for what a sentence refers to. */
 export interface TargetWords {
   levels: StoppedLevel[];
   nameOf: (setting: SettingName) => string;
 }
 
-/** A further level with what stopped its bodies. */
+/** A further level and why its bodies stopped. */
 export interface StoppedLevel {
   file: string;
   bodies: StoppedBody[];
@@ -41,19 +41,19 @@ export interface StoppedLevel {
 
 /** A sentence for each missed target, without a full stop. */
 export interface MissedTargets {
-  /** asked for as a number or limit */
+  /** those that the user gave as a number or limit */
   asked: string[];
-  /** a default, of which nothing is missed */
+  /** those of a default, which are no errors */
   unasked: string[];
 }
 
-/** The faces that are asked for; half of them where nothing else is a target. */
+/** The requested faces; half of them without any other target. */
 export function faceTarget({ faces, ratio, settings, named }: AskedTargets): FaceTarget {
   const isAlone = faces === null && !LIMITS.some((name) => named.has(name) && settings[name] > 0);
   return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
 }
 
-/** Whether the largest deviation was asked for: by default it is a guard, and stopping at it misses no target. */
+/** Whether the user gave the largest deviation: by default it is a guard, and stopping at it misses no target. */
 const asksForDeviation = ({ named, settings }: Pick<AskedTargets, 'named' | 'settings'>): boolean =>
   named.has('maxDeviation') && settings.maxDeviation > 0;
 
@@ -99,7 +99,7 @@ export function missedTargets(
   };
 }
 
-/** Why bodies have more faces than was asked for, because the surface would go too far; '' where none has. */
+/** A sentence on bodies that the deviation limit stopped above their targets; '' without any. */
 function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], where: string): string {
   const guarded = bodies.flatMap((stopped) => (stopped.guard ? [{ stopped, ...stopped.guard }] : []));
   if (guarded.length === 0) return '';
@@ -110,7 +110,7 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
   return `${where}${name}${others} stopped at ${describeFaces([stopped])}, ${besideLimit(deviation, limit)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
 }
 
-/** The faces as they are in the file, and how many count for targets where these are fewer. */
+/** The written faces, and those that count for targets if they are fewer. */
 function describeFaces(bodies: StoppedBody[]): string {
   const faces = sum(bodies.map((body) => body.faces));
   const duplicates = sum(bodies.map((body) => body.duplicates ?? 0));
@@ -118,10 +118,10 @@ function describeFaces(bodies: StoppedBody[]): string {
   return duplicates > 0 ? `${all} (${grouped(faces)} without duplicates)` : all;
 }
 
-/** What lies within rounding of a limit keeps it. */
+/** Values within this factor of a limit count as keeping it, because of rounding. */
 const ROUNDING = 1.0001;
 
-/** A sentence for each limit that was asked for and that the result does not keep. */
+/** A sentence for each limit that the user gave and the result violates. */
 export function brokenLimits(
   { maxDeviation, maxFrequencyError }: Pick<Settings, 'maxDeviation' | 'maxFrequencyError'>,
   named: ReadonlySet<SettingName>,
@@ -144,8 +144,8 @@ export function brokenLimits(
 }
 
 /**
- * Why bodies have more faces than was asked for, because no more edge can collapse, and how to go on where seams are the
- * reason; '' where none has. `bodies[i]` comes from `originals[i]`. `where`: how the sentence begins.
+ * A sentence on bodies that stopped above their targets because no more edge can collapse, with a cure if seams are the
+ * reason; '' without any. `bodies[i]` comes from `originals[i]`. `where`: the beginning of the sentence.
  */
 function describeMiss(
   bodies: StoppedBody[],

@@ -31,12 +31,12 @@ export const preparedStage = declareStage({
   },
 });
 
-/** What a single body gets at least, however few faces it has. */
+/** The fewest samples of a single body. */
 const FEWEST_SAMPLES = 10_000;
 const SAMPLES_OF_FACE = 10;
 const MOST_SAMPLES = 500_000;
 
-/** The bodies of a file share the samples of one beyond those that their faces need. */
+/** The number of samples of a body: at least by its faces; the bodies of a file share the minimum of a single one. */
 const samplesAmong = (bodies: number, mesh: TriangleMesh): number =>
   Math.min(MOST_SAMPLES, Math.max(SAMPLES_OF_FACE * faceCount(mesh), Math.ceil(FEWEST_SAMPLES / bodies)));
 

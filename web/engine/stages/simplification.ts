@@ -1,4 +1,4 @@
-/** What the core is told of a simplification, and what counts of the settings for each method. */
+/** The core's options of a simplification, from the settings that have an effect with the method. */
 
 import type { BodyConstraints } from '../body/constraints';
 import type { CostAttributes } from '../body/cost_attributes';
@@ -23,7 +23,7 @@ export const SIMPLIFICATION_SETTINGS = [
 type AllSettings = Pick<Settings, (typeof SIMPLIFICATION_SETTINGS)[number]>;
 
 export interface SimplificationSettings extends Omit<AllSettings, 'seams'> {
-  /** null: the method knows nothing of attributes */
+  /** null: the method ignores attributes */
   seams: Settings['seams'] | null;
 }
 
@@ -41,7 +41,7 @@ export function simplificationSettings(settings: AllSettings): SimplificationSet
   };
 }
 
-/** What collapses follow, besides the settings; null: the method has no such term. */
+/** The guides of collapses besides the settings; null: the method has no such term. */
 export interface Guides {
   constraints: BodyConstraints;
   /** null: they cost nothing */
@@ -81,7 +81,7 @@ export function simplificationOf(
 }
 
 /**
- * The paper's method knows nothing of attributes, as printed. For the others borders of materials stay closed and where they
+ * The paper's method ignores attributes. For the others, borders of materials stay closed and where they
  * are; unless seams are to be crossed, so do seams, and attributes cost.
  */
 function simplifyConstraints(

@@ -1,6 +1,6 @@
 /**
  * A stage is one step of a run over a body. It declares which settings it reads and which stages it needs; memo keys follow
- * from these declarations, so that a result is never stale and never computed again without need.
+ * from these declarations, so that a result is never stale and never computed twice.
  */
 
 import type { Document } from '@gltf-transform/core';
@@ -32,7 +32,7 @@ export interface RunContext {
   document: Document | null;
   /** how many bodies the file has whose results are asked for, where modes are needed for guidance alone; absent: for their own sake */
   guidedBodies?: number;
-  /** what the bodies of a file share; absent: a body alone */
+  /** the cache that the bodies of a file share; absent: there is one body */
   cache?: ValueCache;
   /** whether the body is so small in its scene that its modes do not matter, see `scene_share`; absent: it is not */
   isTooSmallToMove?: boolean;
@@ -48,16 +48,16 @@ export interface AnyStage {
   /** the settings that it reads, itself or through the stages that it needs */
   readonly reads: readonly RunSettingName[];
   readonly needs: Readonly<Record<string, AnyStage>>;
-  /** what `run` gets to see of the settings that the stage reads; memos compare it by value */
+  /** what `run` receives of the settings that the stage reads; memos compare it by value */
   derive(settings: RunSettings): unknown;
-  /** where it is false, the value is null, and nothing that the stage needs is run */
+  /** if false, the value is null and no stage that it needs is run */
   isWanted(settings: RunSettings): boolean;
   run(context: RunContext, inputs: never, derived: never): unknown;
-  /** the calls of the core with which `run` begins, by way of `resultOf`; all of one function */
+  /** the calls of the core with which `run` begins, through `resultOf`; all of one function */
   firstCalls(context: RunContext, inputs: never, derived: never): CoreCall[];
-  /** whether values hold something in the core: what was made from a value is of no use once it has been given back */
+  /** whether values own a handle in the core: values made from one are invalid once it has been released */
   readonly hasHandle: boolean;
-  /** gives back what a value holds in the core, once another value has taken its place */
+  /** releases the handle of a value in the core, once another value has replaced it */
   release(context: RunContext, value: never): void;
 }
 
@@ -90,8 +90,8 @@ interface StageDeclaration<Value, Read extends RunSettingName, N extends Needs, 
   reads: readonly Read[];
   needs: N;
   /**
-   * What counts of the settings that are read: settings without effect under the others are left out or resolved. Absent:
-   * all of them count as they are. The result is plain data.
+   * Reduces the settings that are read to their effect: settings without effect under the others are left out or resolved. Absent:
+   * all of them are taken unchanged. The result is plain data.
    */
   derive?: (settings: Pick<RunSettings, Read>) => Derived;
   run: (
@@ -169,8 +169,8 @@ function pick<Read extends RunSettingName>(
 const knownKeys = new WeakMap<RunSettings, Map<AnyStage, string>>();
 
 /**
- * Text that is equal for two settings where the stage has the same value for both: what it derives from them, and what every
- * stage that it needs derives. Of frozen settings it is remembered.
+ * A key that is equal for two settings if the stage has the same value for both: what it derives from them, and what every
+ * stage that it needs derives. It is cached for frozen settings.
  */
 export function keyOf<S extends AnyStage>(stage: S, settings: SettingsOf<S>): string {
   const all = settings as RunSettings;
@@ -197,7 +197,7 @@ function wholeKey(stage: AnyStage, settings: RunSettings): string {
 
 const knownParts = new WeakMap<RunSettings, Map<AnyStage, string>>();
 
-/** What a stage itself derives, as text; of frozen settings it is remembered. */
+/** What a stage itself derives, as text; cached for frozen settings. */
 function partOf(stage: AnyStage, settings: RunSettings): string {
   const known = knownParts.get(settings) ?? new Map<AnyStage, string>();
   const found = known.get(stage);

@@ -1,4 +1,4 @@
-/** What the settings ask of a tuning, and a result tuned as they say. */
+/** Tunes results by the settings. */
 
 import { positionsInFile, weldedVerticesInFile } from '../body/file_vertices';
 import { MATERIAL_SETTINGS, materialOf } from '../body/material';
@@ -31,20 +31,20 @@ export interface TuneSettings extends Omit<AllSettings, 'solver'> {
   solver: SolverName;
 }
 
-/** null: no solver is asked for. The bend ratio counts only where the solver has one that is not given. */
+/** null: no solver is chosen. The bend ratio counts only if the solver derives its bend constant from it. */
 export function tuneSettings(settings: AllSettings): TuneSettings | null {
   const { solver } = settings;
   if (solver === 'none') return null;
   return { ...settings, solver, bendRatio: readsBendRatio(settings) ? settings.bendRatio : 0 };
 }
 
-/** Whether the bend ratio says how stiff the solver bends: of nets that have no bend constant of their own. */
+/** Whether the solver derives its bend constant from the bend ratio: a spring family without a given bend constant. */
 function readsBendRatio({ solver, engine }: Pick<Settings, 'solver' | 'engine'>): boolean {
   if (solver !== 'springs' && solver !== 'dihedral') return false;
   return !('bend' in engineValues(solver, engine));
 }
 
-/** Throws SettingError where a bend ratio that is given says nothing to the solver. */
+/** Throws SettingError where a given bend ratio has no effect in the solver. */
 export function checkBendRatio(settings: Pick<Settings, 'solver' | 'engine'>): void {
   if (readsBendRatio(settings)) return;
   const engine = { setting: 'engine' } as const;
@@ -131,7 +131,7 @@ export function settledBody(coarse: PreparedBody, tuned: TunedBody): SettledBody
   return { name, level: 0, meshNumber, renderVertices, tuned, own: space };
 }
 
-/** What `work` returns; where it throws a sentence about one of several bodies, its name leads it. */
+/** Calls `work`; with several bodies, its errors are prefixed with the name of the body. */
 export function ofBodyNamed<T>({ name }: Body, isOneOfMany: boolean, work: () => T): T {
   try {
     return work();

@@ -85,7 +85,7 @@ function meshInBody({ weld }: PreparedBody, { mesh, inputOfTriangle }: MeshAt) {
   return { mesh, inputOfTriangle: inputOfTriangle.map((triangle) => weld.sourceOfTriangle[triangle]) };
 }
 
-/** The body as it is, welded. */
+/** The welded body without any change. */
 export function exportedMesh({ body, mesh, weld, attributes }: PreparedBody): ExportedBody {
   const sources = sourcesInBody(body, weld, ownSources(mesh));
   return { body, mesh, inputOfTriangle: weld.sourceOfTriangle, sources, hardCosine: attributes.hardCosine };

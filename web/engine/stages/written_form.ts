@@ -1,4 +1,4 @@
-/** Whether a file can be written as it is asked for: known before the work. */
+/** Checks, before any work, whether a file can be written as requested. */
 
 import { refusedExtensions } from '../document/extensions/refused';
 import type { RefusedExtension } from '../document/extensions/refused';
@@ -13,7 +13,7 @@ import type { Settings } from '../settings/options';
 type FormSettings = Pick<Settings, 'format' | 'compress' | 'lodStyle' | 'lods' | 'dropExtensions'>;
 
 /**
- * The form of a file with this name, and what it leaves out, in plain words. `chosen`: numbers of the bodies that change. Throws
+ * The form of a file with this name, and what it leaves out, in words for the user. `chosen`: indices of the bodies that change. Throws
  * SettingError, or an Error with one sentence, where the format cannot have what is asked for, or where an extension of the file would
  * be lost that is not named to be left out.
  */

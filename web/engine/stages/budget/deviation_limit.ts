@@ -1,16 +1,16 @@
-/** Finds the level at which a body stops for its largest deviation, by measuring levels. */
+/** Finds the level with the fewest faces within a deviation limit, by measuring levels. */
 
 import type { History } from '../../core/core';
 import { nextEnd } from '../collapse_pairs';
 
-/** The first step back from a level that is too far off, as a share of the collapses that lead to it. */
+/** The first step back from a level beyond the limit, as a share of the collapses that lead to it. */
 const FIRST_STEP = 1 / 128;
 /** The search ends where a level that is within the limit has at most this many times the faces of one that is not. */
 const CLOSE = 1.01;
 
-/** A limit of the deviation, as levels are measured against it. */
+/** A deviation limit as a predicate on levels. */
 export interface DeviationLimit {
-  /** whether the level of at most so many faces is within it */
+  /** whether the level of at most `faces` faces is within it */
   isWithin: (faces: number) => boolean;
   /** an estimate of the number of collapses that stay within the limit, which saves measuring */
   guess?: number;
@@ -27,7 +27,7 @@ export function facesWithin(history: History, faces: number, { isWithin, guess }
   return step.value;
 }
 
-/** The questions of `facesWithin`, so that those of many bodies can be answered together: the faces of levels that may be within the limit. */
+/** `facesWithin` as a generator that yields the face counts of levels to be tested, so that those of many bodies can be tested together. */
 export function* searchWithinDeviation(
   history: History,
   faces: number,
@@ -58,7 +58,7 @@ export function* searchWithinDeviation(
   return facesAt(good);
 }
 
-/** The share of the faces that the first step of `fewerFacesWithin` takes away at least; each further step doubles it. */
+/** The share of the faces that the first step of `fewerFacesWithin` removes at least; each further step doubles it. */
 const FEWER = 0.02;
 
 /**
@@ -88,7 +88,7 @@ export function fewerFacesWithin(
   return faces[good];
 }
 
-/** The first level with at most so many faces; the last one where none has. */
+/** The first level with at most `count` faces; the last one where none has. */
 function levelOf(faces: ArrayLike<number>, count: number): number {
   let [low, high] = [0, faces.length - 1];
   while (low < high) {

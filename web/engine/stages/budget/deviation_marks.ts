@@ -4,7 +4,7 @@ import { fittedDeviationsStage } from './fitted_deviations';
 import { keptHistoryStage } from '../kept_history';
 import { declareStage } from '../stage';
 
-/** Per cent of the diagonal. */
+/** The marked deviations, in % of the diagonal. */
 export const MARKED_DEVIATIONS = [0.1, 0.5, 1];
 
 export interface DeviationMark {

@@ -10,7 +10,7 @@ import { preparedStage } from '../prepared';
 import { onceIn } from '../many_bodies/value_cache';
 import { declareStage } from '../stage';
 
-/** What has been measured of the levels of a mesh and its history. */
+/** The deviations measured so far for the levels of a mesh and its history. */
 interface KnownDeviations {
   /** by faces */
   exact: Map<number, number>;
@@ -20,7 +20,7 @@ interface KnownDeviations {
 
 const nothing = (): KnownDeviations => ({ exact: new Map(), within: new Map() });
 
-/** Measures levels and remembers what it has found, so that a cancelled search goes on from there. */
+/** Measures levels and remembers the results, so that a cancelled search continues from there. */
 export class Deviations {
   /** `known`: of a body with the same mesh and history. */
   constructor(
@@ -38,7 +38,7 @@ export class Deviations {
     return deviation;
   }
 
-  /** Whether `at` is at most `limit`, which is found in a fraction of the time. `level`: that level, where it is at hand. */
+  /** Whether `at` is at most `limit`, in a fraction of its time. `level`: that level, if the caller has it. */
   isWithin(faces: number, limit: number, level?: MeshAt): boolean {
     const { exact, within } = this.known;
     const deviation = exact.get(faces);
@@ -49,7 +49,7 @@ export class Deviations {
     return is;
   }
 
-  /** The arguments of `isWithinDeviation` for a level that has not been asked about; null: it has been. */
+  /** The arguments of `isWithinDeviation` for a level; null if the answer is known. */
   toAsk(faces: number, limit: number): Comparison | null {
     const { exact, within } = this.known;
     const key = withinKey(faces, limit);
@@ -72,7 +72,7 @@ interface Comparison {
   key: string;
 }
 
-/** Bodies of one shape share the results of their levels. */
+/** The comparisons without duplicates: bodies of one shape share their results. */
 function withoutRepetition<One extends Comparison>(all: (One | null)[]): One[] {
   const seen = new Map<One['results'], Set<string>>();
   return all.filter((one): one is One => {
@@ -84,7 +84,7 @@ function withoutRepetition<One extends Comparison>(all: (One | null)[]): One[] {
   });
 }
 
-/** Answers questions of `Deviations.isWithin` in parallel. */
+/** Makes comparisons of `Deviations.isWithin` in parallel. */
 export function askInParallel(
   core: Core,
   questions: { deviations: Deviations; faces: number; limit: number }[],

@@ -1,4 +1,4 @@
-/** Stage: how far a body is from its original, by the number of its faces, as the collapses themselves have estimated it. */
+/** Stage: the deviation of a body by its number of faces, as estimated by the collapses. */
 
 import type { History } from '../../core/core';
 import { wholeEnds } from './deviation_limit';
@@ -16,7 +16,7 @@ export interface ErrorCurve {
   ends: Uint32Array;
   /** faces of the level, descending */
   faces: Uint32Array;
-  /** faces that are written for the level: with its doubles */
+  /** faces that are written for the level: with duplicate faces */
   written: Uint32Array;
   /** in units of the body, never falling */
   errors: Float64Array;
@@ -49,7 +49,7 @@ export function errorCurve(history: History): Pick<ErrorCurve, 'ends' | 'faces' 
   return { ends, faces, errors };
 }
 
-/** How many collapses are estimated to stay within `limit`, in units of the body. */
+/** The number of collapses that are estimated to stay within `limit`, in units of the body. */
 export function collapsesWithin(
   { ends, errors }: Pick<ErrorCurve, 'ends' | 'errors'>,
   limit: number,

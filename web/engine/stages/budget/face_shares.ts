@@ -15,16 +15,16 @@ export function shareInProportion(total: number, weights: number[]): number[] {
   return shares;
 }
 
-/** The faces that a ratio leaves of so many; the small term keeps 0.3 * 10 from becoming 2. */
+/** The number of faces that a ratio leaves; the small term keeps 0.3 * 10 from becoming 2. */
 export const facesByRatio = (ratio: number, faces: number): number => Math.floor(ratio * faces + 1e-9);
 
-/** How many faces are asked for: `faces` of the whole file, and `ratio` of its faces; null: not asked for. */
+/** The requested number of faces: `faces` of the whole file, and `ratio` of its faces; null: not requested. */
 export interface FaceTarget {
   faces: number | null;
   ratio: number | null;
 }
 
-/** Per body the larger of both targets, since the first one that is reached stops; 1 where neither is asked for. */
+/** Per body the larger of both targets, since reaching either of them stops; 1 without a target. */
 export function targetsOf(counts: number[], { faces, ratio }: FaceTarget): number[] {
   const shares = faces === null ? null : shareInProportion(faces, counts);
   return counts.map((count, i) =>

@@ -1,4 +1,4 @@
-/** How many faces each body of a file may keep, of what is asked of the file as a whole. */
+/** Divides the faces that are requested of a file among its bodies. */
 
 import { allFaces } from '../../body/layers';
 import { instanceScale } from '../../document/placements';
@@ -13,23 +13,23 @@ import type { RunSettings } from '../stage';
 import { runBodies } from '../many_bodies/parallel_bodies';
 import { SceneQueue } from './scene_budget';
 
-/** What is asked of a file. */
+/** The request for a file. */
 export interface FileAsked extends FaceTarget {
   settings: Settings;
   /** whether strain and curvature are written as attributes */
   fields: boolean;
-  /** whether a binding file is written, which counts vertices of the result */
+  /** whether a binding file is written, which refers to vertices of the result by index */
   binding?: boolean;
-  /** faces of bodies that have a number of their own, by their numbers in the file; the target of the whole is that of the others */
+  /** targets of bodies with a number of faces of their own, by their indices in the file; the overall target is that of the others */
   own?: ReadonlyMap<number, number>;
-  /** whether no other request follows: then histories may end where this one needs no more of them */
+  /** whether no other request follows: then histories may end where this one does */
   isOnly?: boolean;
 }
 
 /**
  * The request for all bodies of a file: by one queue of errors over the scene, or with `perBody`, and where they are levels of detail
- * of each other, the same share of each. Needs the history of every body. The page, the command line and the library all ask for files
- * through this.
+ * of each other, the same share of each. Needs the history of every body. The page, the command line and the library all use
+ * this function.
  */
 export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
   const { settings, fields, binding, own, ...target } = asked;
@@ -55,7 +55,7 @@ export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
   };
 }
 
-/** The fewest faces that the only request of a file asks of the only body that takes part; of more bodies they follow from their histories. */
+/** The fewest faces that the only request of a file needs of its only body; undefined for several bodies, whose targets follow from their histories. */
 function fewestOfOnly(file: FileRun, { settings, isOnly, ...target }: FileAsked): number | undefined {
   if (!isOnly || file.usable.length !== 1) return undefined;
   const [{ layers }] = file.prepared(settings);
@@ -66,17 +66,17 @@ function fewestOfOnly(file: FileRun, { settings, isOnly, ...target }: FileAsked)
 }
 
 type Usable = FileRun['usable'];
-/** Per shared body the most faces that it may have. */
+/** Maps a target to the most faces of each body that shares it. */
 type Share = (asked: FaceTarget) => number[];
 
 type CurveSettings = Settings & Pick<RunSettings, 'fewestFaces'>;
 
-/** The rest is what a request is for: fits and measures. */
+/** The share of histories in the work of a request; the rest is fits and measures. */
 const HISTORIES_IN_REQUEST = 0.6;
 
 /** `share`: of what is left of the call, see FileProgress. */
 function curvesOf(file: FileRun, shared: Usable, settings: CurveSettings, share: number): ErrorCurve[] {
-  // Curves follow from histories, which know nothing of the faces that are asked for.
+  // Curves follow from histories, which do not depend on the requested faces.
   const ofRun: RunSettings = Object.freeze({ ...settings, targetFaces: 1, fields: false });
   runBodies(file, shared, { settingsOf: () => ofRun, last: errorCurveStage, share });
   return shared.map(({ run }) => run.get(errorCurveStage, ofRun));
@@ -93,18 +93,18 @@ function shareScene(file: FileRun, shared: Usable, settings: CurveSettings): Sha
   return (asked) => targetsInQueue(queue, wantedFaces(asked, queue.faces));
 }
 
-/** Of a ratio and a number of faces the one that is reached first; 1 where neither is asked for. */
+/** The larger of the two targets, which is reached first; 1 without a target. */
 const wantedFaces = ({ faces, ratio }: FaceTarget, all: number): number =>
   Math.max(1, ratio === null ? 0 : facesByRatio(ratio, all), faces ?? 0);
 
-/** Below the fewest faces of the scene the targets are below those of the bodies, in proportion, so that they count as missed. */
+/** The targets of the bodies. If the scene cannot have so few faces, they are lowered in proportion, so that they count as missed. */
 function targetsInQueue(queue: SceneQueue, wanted: number): number[] {
   const targets = queue.targets(wanted);
   const share = Math.min(1, wanted / queue.fewest);
   return targets.map((own) => Math.max(1, Math.floor(share * own)));
 }
 
-/** The queue of these bodies; its curves follow from their histories. */
+/** The queue of these bodies, from the error curves of their histories. */
 function sceneQueue(file: FileRun, shared: Usable, settings: CurveSettings, share: number): SceneQueue {
   const { document } = file.model;
   const meshes = document.getRoot().listMeshes();
@@ -120,16 +120,16 @@ function sceneQueue(file: FileRun, shared: Usable, settings: CurveSettings, shar
 
 /** The faces of the bodies of a file that share a number of faces. */
 export interface SharedFaces {
-  /** the number that is shared: as asked for, half where nothing is */
+  /** the number that is shared: the requested one, by default half of the faces */
   wanted: number;
-  /** as the bodies came, and the fewest that they can have */
+  /** the number of faces of the originals, and the fewest that they can have */
   faces: number;
   fewest: number;
   /** targets[i]: of body i of the file */
   targets: number[];
 }
 
-/** What `requestFile` asks of each body, and the range of the number that is shared. */
+/** The targets that `requestFile` gives each body, and the range of the shared number. */
 export function shareFaces(file: FileRun, asked: FileAsked): SharedFaces {
   const { settings, own } = asked;
   const shared = file.usable.filter(({ i }) => !own?.has(i));

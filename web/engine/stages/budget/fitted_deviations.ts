@@ -1,4 +1,4 @@
-/** Stage: the measured deviation of any level of a history as it would be exported: with its fit. */
+/** Stage: the measured deviation of any level of a history after its fit, as it would be exported. */
 
 import { constraintsStage } from '../constraints';
 import { FIT_SETTINGS, fitSettings, fittedLevelAt } from '../fit';
@@ -8,7 +8,7 @@ import { preparedStage } from '../prepared';
 import { declareStage } from '../stage';
 import { deviationsStage } from './deviations';
 
-/** Of the level of at most `faces` faces, in % of the diagonal; what has been found is remembered. */
+/** The deviation of the level of at most `faces` faces, in % of the diagonal; results are remembered. */
 export type DeviationAt = (faces: number) => number;
 
 export const fittedDeviationsStage = declareStage({

@@ -1,4 +1,4 @@
-/** Finds the level that keeps the frequencies: every level that is tried is fitted and solved. */
+/** Finds the level with the fewest faces that keeps the frequencies, by fitting levels and solving for their modes. */
 
 import type { FittedResult, FrequencyFinding } from '../../body/body_result';
 import { materialOf } from '../../body/material';
@@ -14,7 +14,7 @@ import type { RunContext } from '../stage';
 import { tunedErrorOf } from '../tune';
 import type { TuneSettings } from '../tune';
 
-/** The modes that --max-frequency-error looks at. */
+/** The number of modes that --max-frequency-error applies to. */
 const TARGET_MODES = 6;
 
 export interface FrequencyTarget {

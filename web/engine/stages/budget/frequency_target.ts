@@ -4,9 +4,9 @@ import type { FrequencyFinding, Tried } from '../../body/body_result';
 
 /** The search ends where face counts that fail and that succeed are within this ratio. */
 const CLOSE = 1.02;
-/** Errors do not rise monotonically towards fewer faces: these shares of the faces that were found are tried as well. */
+/** Errors do not rise monotonically towards fewer faces, so these shares of the face count that was found are tried as well. */
 const PROBES = [0.95, 0.88, 0.75];
-/** After so many solves no further level is probed. */
+/** The number of solves after which no further level is probed. */
 const MOST_TRIED = 32;
 
 /**

@@ -1,4 +1,4 @@
-/** Fits a level and sees to it that the surface stays near enough. */
+/** Fits a level within a deviation limit. */
 
 import type { FittedResult, GuardFinding } from '../../body/body_result';
 import type { PreparedBody } from '../../body/prepared_body';
@@ -25,8 +25,8 @@ export interface GuardedFit extends GuardInputs {
 }
 
 /**
- * The level, fitted. Where that is too far from the original after all, although the estimates left no doubt, one of more faces is
- * taken instead; where the level has more faces than wanted and its fit leaves room within the limit, one of fewer.
+ * The fitted level. If it exceeds the limit although its estimates were safe, one with more faces is
+ * taken instead; if the level has more faces than wanted and its fit stays below the limit, one with fewer.
  */
 export function fitGuarded(
   core: Core,
@@ -45,7 +45,7 @@ export function fitGuarded(
   return { ...fitted, guard: findGuard(core, prepared, fitted.result, limit) };
 }
 
-/** What is told of a result that the limit has stopped. */
+/** The report on a result that the limit stopped; null otherwise. */
 export const findGuard = (
   core: Core,
   prepared: PreparedBody,
@@ -56,7 +56,7 @@ export const findGuard = (
   deviation: measureDistance(core, prepared, mesh).hausdorff,
 });
 
-/** The level with the fewest faces, from those of `stopped` to the wanted ones, that its fit brings within the limit. */
+/** The level with the fewest faces, between those of `stopped` and the wanted number, whose fit is within the limit. */
 function withFewerFaces(
   core: Core,
   { prepared, kept, curve, wanted, hasFewFaces }: GuardedFit,

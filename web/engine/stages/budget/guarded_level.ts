@@ -1,4 +1,4 @@
-/** Stage: the level of the wanted faces, or one of more faces where the surface would be too far from the original before any fit. */
+/** Stage: the level with the wanted faces, or one with more if its deviation before any fit would exceed the limit. */
 
 import type { Core, MeshAt } from '../../core/core';
 import { faceCount } from '../../core/mesh';
@@ -18,7 +18,7 @@ export interface GuardedLevel {
   isStopped: boolean;
 }
 
-/** What is known of a body where its levels are searched. */
+/** The inputs of a search over the levels of a body. */
 export interface GuardInputs {
   kept: KeptHistory;
   curve: ErrorCurve;
@@ -32,23 +32,23 @@ export const guardedLevelStage = declareStage({
   run: ({ core }, { level, ...inputs }, { maxDeviation }) => guardIfUnsure(core, inputs, level, maxDeviation),
 });
 
-/** The level as it is where the estimates leave no doubt; elsewhere by `guardLevel`. */
+/** The level itself if the estimates are safely within the limit; otherwise the result of `guardLevel`. */
 export const guardIfUnsure = (core: Core, inputs: GuardInputs, level: MeshAt, limit: number): GuardedLevel =>
   isSurelyWithin(inputs, level, limit)
     ? { result: level, isStopped: false }
     : guardLevel(core, inputs, level, limit);
 
-/** A body is measured where the estimate of its deviation is not below this share of the limit. */
+/** A body is measured unless the estimate of its deviation is below this share of the limit. */
 const SURE = 0.5;
 
-/** Whether the estimates of the collapses leave no doubt that the level is within the limit. */
+/** Whether the level is within the limit by a safe margin according to the estimates of its collapses. */
 export function isSurelyWithin({ curve }: GuardInputs, level: MeshAt, limit: number): boolean {
   if (limit === 0) return true;
   const within = collapsesWithin(curve, ((SURE * limit) / 100) * curve.diagonal);
   return curve.faces[curve.ends.indexOf(within)] <= faceCount(level.mesh);
 }
 
-/** `level` if it is measured to be within `limit`, in % of the diagonal; otherwise one of as few more faces as can be. */
+/** `level` if it measures within `limit`, in % of the diagonal; otherwise the level with the fewest additional faces that does. */
 export function guardLevel(
   core: Core,
   { kept, curve, deviations }: GuardInputs,
@@ -65,7 +65,7 @@ export function guardLevel(
   return { result: levelAt(core, kept, faces), isStopped: true };
 }
 
-/** The questions of `guardLevel`: the faces of levels that may be within the limit. Returns the faces of the level that it takes. */
+/** `guardLevel` as a generator that yields the face counts of levels to be tested. Returns the face count that it chooses. */
 function* searchLevel(
   { kept, curve }: Pick<GuardInputs, 'kept' | 'curve'>,
   wanted: number,

@@ -1,4 +1,4 @@
-/** Shares faces out over the bodies of a scene by one queue of their errors. */
+/** Distributes faces among the bodies of a scene by one queue of their errors. */
 
 import type { ErrorCurve } from './error_curve';
 
@@ -7,11 +7,11 @@ export interface SceneBody {
   curve: ErrorCurve;
   /** units of the scene per unit of the body, with all instances: see instanceScale */
   scale: number;
-  /** % of the body's diagonal beyond which other bodies go first; 0: none */
+  /** deviation limit in % of the body's diagonal, beyond which other bodies go first; 0: none */
   limit: number;
 }
 
-/** Where a body waits in the queue: the next entry of its curve. */
+/** The entry of a body in the queue: the next step on its error curve. */
 interface Waiting {
   body: number;
   entry: number;
@@ -22,8 +22,8 @@ interface Waiting {
 }
 
 /**
- * The order in which all bodies lose their faces: those first whose loss hurts least. What goes beyond the limit of its body comes
- * after all that does not; then the smaller error in units of the scene comes first; ties go to the lower body. So at any count the
+ * The order in which all bodies lose their faces, smallest error first. Steps beyond the limit of their body come
+ * after all others; then the smaller error in units of the scene comes first; ties go to the lower index. So at any count the
  * largest error of the scene is the smallest that is possible with these curves.
  */
 export class SceneQueue {
@@ -40,7 +40,7 @@ export class SceneQueue {
     this.merge();
   }
 
-  /** The written faces of the whole scene as it came. */
+  /** The written faces of the original scene. */
   get faces(): number {
     return this.total;
   }
@@ -105,7 +105,7 @@ class Heap {
     this.items[slot] = item;
   }
 
-  /** There has to be one. */
+  /** Removes the first entry; the heap must not be empty. */
   pop(): Waiting {
     const first = this.items[0];
     const last = this.items.pop()!;

@@ -3,7 +3,7 @@
 import type { Column, Table } from '../../report/tables/method_table';
 import type { ComparedMethod, MethodResult } from './equal_budget';
 
-/** How papers and release notes call the methods. */
+/** The names of the methods in papers and release notes. */
 export const METHOD_TITLES: Record<ComparedMethod, string> = {
   limber: 'Limber',
   paper: 'Paper',

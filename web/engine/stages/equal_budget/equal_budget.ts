@@ -1,4 +1,4 @@
-/** What each method makes of a body at one number of faces, measured alike. */
+/** Compares the results of methods on a body at one number of faces, with the same measures. */
 
 import { materialOf } from '../../body/material';
 import type { PreparedBody } from '../../body/prepared_body';
@@ -26,7 +26,7 @@ export const COMPARED_METHODS = [
 
 export type ComparedMethod = (typeof COMPARED_METHODS)[number];
 
-/** Whether the result of this method can be shown, tested and exported here. */
+/** Whether this is one of Limber's own methods, whose results can be shown, tested and exported. */
 export const isOwnMethod = (name: ComparedMethod): name is Method =>
   (METHOD_NAMES as readonly string[]).includes(name);
 
@@ -58,7 +58,7 @@ export interface MethodResult {
 export const settingsForMethod = (settings: Settings, method: Method): Settings =>
   settings.method === method ? settings : { ...settings, ...methodChange(method) };
 
-/** The same without the limits that can stop a method at another number of faces. */
+/** The settings without the limits that can stop a method at another number of faces. */
 export const withoutLimits = (settings: Settings): Settings => ({
   ...settings,
   ...{ maxDeviation: 0, maxFrequencyError: 0, minAngle: 0 },

@@ -1,10 +1,10 @@
-/** How far a call that works on the bodies of a file is, as a share of its work that never goes back. */
+/** The progress of a call that works on the bodies of a file, as a share of its work that never decreases. */
 
 /** Shares of the work of a call, 0..1. */
 export interface WorkSpan {
-  /** what is done */
+  /** the share that is done */
   done: number;
-  /** what will be done once the running call of the core has ended, as far as the progress of that call counts; otherwise `done` */
+  /** the share that will be done when the running call of the core ends, if its progress counts; otherwise `done` */
   next: number;
 }
 
@@ -17,17 +17,17 @@ const ROUNDING = 1e-9;
 export class FileProgress {
   private done = 0;
 
-  /** `tell` is called before each piece of work, and with null once all that is counted is done. */
+  /** `tell` is called before each piece of work, and with null after the last one that counts. */
   constructor(private readonly tell: (span: WorkSpan | null) => void = () => {}) {}
 
-  /** Another call begins, of which nothing is done. */
+  /** Starts again at 0 for another call. */
   restart(): void {
     this.done = 0;
   }
 
   /**
-   * Begins a pass over bodies, which takes `share` of what is left of the call. `all`: the work of all of its pieces, in the unit of
-   * each; pieces without work are not told.
+   * Begins a pass over bodies, which takes `share` of the rest of the call. `all`: the work of all of its pieces, in the unit of
+   * each; pieces without work are not reported.
    */
   pass(all: number, share: number): Piece {
     const scale = all > 0 ? (share * (1 - this.done)) / all : 0;

@@ -9,12 +9,12 @@ import type { RunSettings } from '../stage';
 export type Usable = FileRun['usable'];
 
 /**
- * A body of more vertices is worth all threads. On two threads half of it takes 35 % longer for bodies of 3000 vertices, and twice
- * as much, in groups of twice the size, saves 27 % for bodies of 6000.
+ * A body with more vertices gets all threads for itself. On two threads, half of this limit takes 35 % longer for bodies of 3000 vertices, and twice
+ * this limit, with groups of twice the size, saves 27 % for bodies of 6000.
  */
 const MOST_VERTICES = 4000;
 /**
- * Vertices of a group, so that progress is seen and cancelling loses little. Half of it takes 7 % longer for 2000 bodies of 68 vertices
+ * The vertices of a group, few enough that progress is visible and cancelling loses little. Half of it takes 7 % longer for 2000 bodies of 68 vertices
  * and 39 % for bodies of 3000; twice as much changes times by less than 9 %.
  */
 const GROUP_VERTICES = 8000;

@@ -35,12 +35,12 @@ type LastStage =
 export interface BodyWork {
   settingsOf: (i: number) => RunSettings;
   last: LastStage;
-  /** of what is left of the call, see FileProgress; absent: all of it */
+  /** share of the rest of the call, see FileProgress; absent: all of it */
   share?: number;
   onDone?: (usable: Usable[number]) => void;
 }
 
-/** Takes some of the bodies of a file to a stage, in order; the calls that stages of small bodies begin with are made in parallel. */
+/** Runs some of the bodies of a file up to a stage, in order; the first calls of the stages of small bodies are made in parallel. */
 export function runBodies(file: FileRun, some: Usable, work: BodyWork): void {
   const workOf = (group: Usable): number =>
     sum(requestsOf(group, work).map((body) => workLeft(body, work.last)));
@@ -53,7 +53,7 @@ export function runBodies(file: FileRun, some: Usable, work: BodyWork): void {
   }
 }
 
-/** A body and what is asked of it. */
+/** A body and its request. */
 interface BodyRequest {
   run: BodyRun;
   settings: RunSettings;
@@ -85,7 +85,7 @@ function finish(file: FileRun, group: Usable, { settingsOf, last, onDone }: Body
   return { weight: 1, run };
 }
 
-/** What is done ahead for bodies that are not there yet: by the core in parallel, or for a single one with all threads. */
+/** Work ahead of the stages of bodies that are not computed yet: for several in parallel, for a single one with all threads. */
 function stepsAhead(core: Core, group: BodyRequest[], last: LastStage): Step[] {
   const bodies = group.filter(({ run, settings }) => !run.has(last, settings));
   if (bodies.length === 0) return [];
@@ -181,7 +181,7 @@ function aheadOf(stage: AnyStage, firsts: FirstCall[], work: () => void): void {
   for (const { run } of firsts) run.addSeconds(stage, seconds / firsts.length);
 }
 
-/** A fit that has failed is made again by its stage, which throws its Error. */
+/** Measures the fits ahead; a failed fit is repeated by its stage, which throws its Error. */
 function measureFits(core: Core, firsts: FirstCall[]): void {
   const fits = firsts.flatMap(({ run, settings, call }) => {
     const fitted = knownResult(cacheOf(firsts), call as CoreCall<'fitShape'>);

@@ -4,7 +4,7 @@ type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array | Uint8Arr
 
 const isNumbers = (value: unknown): value is Numbers => ArrayBuffer.isView(value);
 
-/** Of the bits of typed arrays and the text of all else; `start`: the hash of what precedes. */
+/** Hashes the bits of typed arrays and the text of everything else; `start`: the hash of the preceding values. */
 export function hashOf(value: unknown, start: number): number {
   if (isNumbers(value)) return hashOfBytes(value, start);
   if (typeof value !== 'object' || value === null) return hashOfText(String(value), start);

@@ -1,4 +1,4 @@
-/** How large the bodies of a scene are in it: which are too small for their motion to be seen, and which have few of its faces. */
+/** The shares of bodies in a scene: which are too small for their motion to be visible, and which have few of its faces. */
 
 import type { Document, Mesh, Node } from '@gltf-transform/core';
 import { boundsOf, diagonalOf, sum } from '../../core/mesh';
@@ -7,7 +7,7 @@ import type { Body } from '../../document/model';
 
 /**
  * Modes guide collapses as if the body swung by 5 % of its own diagonal (GuidanceOptions in wasm/fields/guidance.h). Where that is less
- * than a thousandth of the scene's diagonal, a pixel of a picture that shows the whole scene, nothing of its motion can be seen.
+ * than a thousandth of the scene's diagonal, about a pixel in a view of the whole scene, its motion is invisible.
  */
 const AMPLITUDE = 0.05;
 const VISIBLE = 0.001;
@@ -19,7 +19,7 @@ export function tooSmallToMove(document: Document, bodies: readonly Body[]): Set
 }
 
 /**
- * The share of the faces of all bodies below which a body has few: what a search in one of these saves is not worth its time, and at
+ * The share of the faces of all bodies below which a body has few: what a search saves there is not worth its time, and at
  * most fifty have more.
  */
 const FEW_FACES = 0.02;
@@ -31,7 +31,7 @@ export function withFewFaces(bodies: readonly Body[]): Set<Body> {
 }
 
 /**
- * Per body its diagonal where it stands, at its largest, over that of all bodies; 1 for bodies whose place is not known: those that joints
+ * Per body the largest diagonal of its instances over that of all bodies; 1 for bodies of unknown position: those that joints
  * place, and those that no node shows.
  */
 export function sharesOfScene(document: Document, bodies: readonly Body[]): number[] {

@@ -1,4 +1,4 @@
-/** A cache of what functions have made of their inputs: scenes have many bodies of one shape. */
+/** A cache of function results, since scenes have many bodies of one shape. */
 
 import { areEqual, hashOf } from './plain_data';
 
@@ -7,7 +7,7 @@ interface Entry {
   value: unknown;
 }
 
-/** Remembers what pure functions have made of their inputs. Values are shared, so that nobody may change them. */
+/** Remembers results of pure functions. Values are shared and must not be modified. */
 export class ValueCache {
   private readonly entries = new Map<string, Map<number, Entry[]>>();
 
@@ -15,8 +15,8 @@ export class ValueCache {
   constructor(private readonly capacity: number) {}
 
   /**
-   * What `compute` made of inputs equal to these, bit by bit, or what it makes now. Inputs are plain data and typed arrays, and all that
-   * the value depends on. `name` tells functions apart.
+   * The remembered result for inputs equal to these, bit by bit, or that of `compute`. Inputs are plain data and typed arrays, and all that
+   * the result depends on. `name` identifies the function.
    */
   once<Value>(name: string, inputs: unknown[], compute: () => Value): Value {
     const hash = hashOf(inputs, 0);
@@ -27,14 +27,14 @@ export class ValueCache {
     return value;
   }
 
-  /** What is remembered of inputs equal to these; undefined: nothing. */
+  /** The remembered result for inputs equal to these; undefined without one. */
   known(name: string, inputs: unknown[]): unknown {
     return this.find(name, inputs, hashOf(inputs, 0))?.value;
   }
 
   /**
-   * Remembers what `compute` makes of those of many inputs that are not known yet, without repetition; where it makes an Error,
-   * nothing.
+   * Calls `compute` once with those of many inputs that are not known yet, without duplicates, and remembers its results; an Error
+   * is not remembered.
    */
   fill(name: string, all: unknown[][], compute: (missing: unknown[][]) => unknown[]): void {
     const missing: { inputs: unknown[]; hash: number }[] = [];
