@@ -220,4 +220,20 @@ describe('what a report says of them', () => {
       'Blender takes a tension of at most 10,000, and this needs 17,300: choose another material or thickness, or give your own numbers',
     );
   });
+
+  it('names a damping with which Blender can blow up, of the body that is farthest beyond', () => {
+    const body = tunedBody('blender');
+    const values = { ...body.original.values, mass: 0.01, quality: 5, bending_damping: 0.02 };
+    const damped = (bending_damping: number) => ({
+      ...body,
+      original: { ...body.original, values },
+      result: { ...body.result, values: { ...values, bending_damping } },
+    });
+    expect(solverReport([damped(0.024)]).fidelity.solvers.blender).not.toHaveProperty('blowsUp');
+    const { blender } = solverReport([damped(0.03), damped(0.5)]).fidelity.solvers;
+    expect(blender!.blowsUp).toEqual({ name: 'bending_damping', value: 0.5, max: 0.025 });
+    expect(describeTuning('blender', blender!).at(-1)).toBe(
+      'Blender can blow up with a bending_damping of 0.5: keep it below 0.025, which is half of mass times quality',
+    );
+  });
 });

@@ -18,6 +18,8 @@ export interface SolverReport {
   motionRefusal?: string;
   /** the values of all bodies that the engine does not accept; absent where there are none */
   outOfRange?: OutOfRange[];
+  /** the number to type in with which steps of the engine blow up, of all bodies; absent where there is none */
+  blowsUp?: BlowsUp;
 }
 
 /** `noArea`: triangles of the result have no area. */
@@ -28,6 +30,13 @@ interface OutOfRange {
   value: number;
   /** the range that the engine accepts */
   min: number;
+  max: number;
+}
+
+interface BlowsUp {
+  name: string;
+  value: number;
+  /** what steps of the engine bear */
   max: number;
 }
 
@@ -46,12 +55,14 @@ export function solverReport(bodies: TunedBody[]): {
   const { frequencies, motion, motionRefusal } = tuned;
   const moved = { ...(motion && { motion }), ...(motionRefusal && { motionRefusal }) };
   const outside = outOfRange(bodies);
+  const unsteady = blowsUp(bodies);
   const missing = missingFrequencies(worst);
   const report = {
     frequencies: knownErrors(frequencies),
     ...(missing && { frequencyStatus: missing }),
     ...moved,
     ...(outside.length > 0 && { outOfRange: outside }),
+    ...(unsteady && { blowsUp: unsteady }),
   };
   return { schema: 'limber-report/2', fidelity: { solvers: { [solver]: report } } };
 }
@@ -74,18 +85,30 @@ function outOfRange(bodies: TunedBody[]): OutOfRange[] {
   });
 }
 
+/** Of the mesh, original or result, that is farthest beyond what steps of the engine bear; undefined: none is. */
+function blowsUp(bodies: TunedBody[]): BlowsUp | undefined {
+  const { stepLimit } = profileOf(bodies[0].solver);
+  if (!stepLimit) return undefined;
+  const { name, most } = stepLimit;
+  const beyond = bodies
+    .flatMap(({ original, result }) => [original.values, result.values])
+    .map((values) => ({ name, value: values[name], max: most(values) }))
+    .filter(({ value, max }) => value > max);
+  return beyond.sort((a, b) => b.value / b.max - a.value / a.max)[0];
+}
+
 const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 2)} %`;
 
 /** Sentences without their full stops about the outcome of a tuning, for the terminal and the page. */
 export function describeTuning(
   solver: SolverName,
-  { frequencies, frequencyStatus, motion, motionRefusal, outOfRange = [] }: SolverReport,
+  { frequencies, frequencyStatus, motion, motionRefusal, outOfRange = [], blowsUp }: SolverReport,
 ): string[] {
   const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
   const moved = motion ? describeMotion(motion) : `the motion itself was not tried${why}`;
   const beyond = outOfRange.map((parameter) => describeOutOfRange(solver, parameter));
   const errors = describeFrequencies(solver, frequencies, frequencyStatus);
-  return [errors, moved, ...beyond];
+  return [errors, moved, ...beyond, ...(blowsUp ? [describeBlowsUp(solver, blowsUp)] : [])];
 }
 
 const MISSING: Record<MissingFrequencies, string> = {
@@ -97,6 +120,11 @@ const MISSING: Record<MissingFrequencies, string> = {
 function describeOutOfRange(solver: SolverName, { name, value, min, max }: OutOfRange): string {
   const limit = value > max ? `at most ${numberOf(max)}` : `at least ${numberOf(min)}`;
   return `${profileOf(solver).label} takes a ${name} of ${limit}, and this needs ${numberOf(value)}: choose another material or thickness, or give your own numbers`;
+}
+
+function describeBlowsUp(solver: SolverName, { name, value, max }: BlowsUp): string {
+  const { label, stepLimit } = profileOf(solver);
+  return `${label} can blow up with a ${name} of ${numberOf(value)}: keep it below ${numberOf(max)}, which is ${stepLimit!.words}`;
 }
 
 const numberOf = (value: number): string => value.toLocaleString('en-US', { maximumSignificantDigits: 3 });

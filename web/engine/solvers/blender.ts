@@ -129,6 +129,12 @@ export const blender: SolverProfile = {
       carried: asItIs,
     },
   ],
+  // Half of what blew up on sheets (docs/engines.md).
+  stepLimit: {
+    name: 'bending_damping',
+    most: ({ mass, quality }) => (mass * quality) / 2,
+    words: 'half of mass times quality',
+  },
   defaults(material, facts, given) {
     const { area, vertices, meanEdge } = facts;
     const mass = given.mass ?? (material.density * material.thickness * area) / vertices;

@@ -42,6 +42,14 @@ export interface NativeParameter {
   carried?: (change: Change) => number;
 }
 
+export interface StepLimit {
+  /** of the parameter */
+  name: string;
+  most(values: NativeValues): number;
+  /** what `most` is, as an aside */
+  words: string;
+}
+
 /** The material from which the defaults of native parameters follow. */
 export interface SolverMaterial {
   /** Young's modulus, Pa */
@@ -81,6 +89,8 @@ export interface SolverProfile {
   /** whether the stiffest constraint determines the number of substeps: explicit steps, XPBD and VBD */
   isLocal: boolean;
   parameters: readonly NativeParameter[];
+  /** of a parameter above which steps of the engine blow up, where others say how much that is */
+  stepLimit?: StepLimit;
   /** Values of the parameters that the user has not `given`, from the material of the settings on the original. */
   defaults(material: SolverMaterial, original: MeshFacts, given: NativeValues): NativeValues;
   /** The constants of the solver on a mesh into whose settings these values are typed. */

@@ -80,6 +80,8 @@ export const ENGINE: MessageTable = {
     '{solver} では面積のない三角形があるためこの形のモードが求まらず、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
   'In {solver} no search for the modes of this shape converges, so there are no frequencies to tune: masses are, the factors stay at 1.':
     '{solver} ではこの形のモードの計算が収束しないため、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
+  '{solver} can blow up with a {name} of {value}: keep it below {max}, which is half of mass times quality.':
+    '{solver} は {name} が {value} だと発散することがあります。{max} (mass × quality の半分) より小さくしてください。',
   '{solver} takes a {name} of at most {max}, and this needs {value}: choose another material or thickness, or give your own numbers.':
     '{solver} の {name} は {max} までですが、{value} が必要です。別の材質か厚さを選ぶか、数値を直接指定してください。',
   '{solver} takes a {name} of at least {min}, and this needs {value}: choose another material or thickness, or give your own numbers.':
