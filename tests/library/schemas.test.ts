@@ -49,6 +49,7 @@ const COMMANDS: Record<string, string[]> = {
   'optimize by the paper': ['optimize', 'ring.obj', 'b.glb', '--method', 'paper'],
   'optimize without a guide': ['optimize', 'sheet.obj', 'c.glb', '--method', 'qem', '--p', 'inf'],
   'optimize for a solver': ['optimize', 'sheet.obj', 'd.glb', '--solver', 'jolt', '--settings', 'jolt.json'],
+  'optimize without frequencies in the solver': ['optimize', 'sheet.obj', 'f.glb', '--solver', 'springs'],
   'optimize for steps that blow up': [
     ...['optimize', 'sheet.obj', 'e.glb', '--solver', 'blender', '--engine', 'bending_damping=900'],
   ],
