@@ -330,6 +330,31 @@ describe('--dry-run', () => {
     ])
       expect(limber(`${words} --dry-run`)).toEqual(limber(words));
   });
+
+  it('refuses what is not in the bodies, and bodies that are no pair', () => {
+    limber('optimize torus.obj half.glb --method qem');
+    limber(
+      'optimize torus.obj half.ply --method qem --bind half.bind.json --solver jolt --settings half.json',
+    );
+    for (const words of [
+      'optimize torus.obj dry.glb --pins vertices:99999',
+      'optimize torus.obj dry.glb --lock attribute:_NONE',
+      'optimize torus.obj dry.glb --keep _NONE',
+      'modes torus.obj --pins attribute:_NONE',
+      'tune torus.obj half.glb --solver jolt --settings dry.json --pins vertices:99999',
+      'tune half.glb torus.obj --solver jolt --settings dry.json',
+      'tune torus.obj many.glb --solver jolt --settings dry.json',
+      'compare torus.obj many.glb',
+      'simulate torus.obj --pins vertices:99999',
+      'simulate many.glb many.glb --mesh part?1 --bind half.bind.json',
+      'simulate many.glb many.glb --mesh part?1 --settings half.json',
+      'modes torus.obj --memory 100K',
+    ]) {
+      const run = limber(words);
+      expect([words, run.code, run.stdout]).toEqual([words, 1, '']);
+      expect(limber(`${words} --dry-run`)).toEqual(run);
+    }
+  });
 });
 
 describe('a file without triangles', () => {

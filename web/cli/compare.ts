@@ -4,10 +4,12 @@ import { materialOf } from '../engine/body/material';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import type { Fidelity, SurfaceDistance } from '../engine/core/core';
 import { startStopwatch } from '../engine/core/stopwatch';
+import type { OpenModel } from '../engine/document/open';
 import { meshReport } from '../engine/report/mesh_report';
 import { startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import { worstFidelity, worstSurface } from '../engine/report/result_report';
+import type { FileRun } from '../engine/stages/file_run';
 import { comparedWarnings } from '../engine/stages/file_warnings';
 import { compareTopology, measureDistance } from '../engine/stages/measure';
 import type { Arguments } from './arguments';
@@ -28,9 +30,7 @@ export async function runCompare(args: Arguments): Promise<number> {
     await openFile(session, args.operands[1]),
   ];
   const load = stopwatch();
-  const originals = prepareFile(session, first).prepared(args.settings);
-  const others = preparePartners(session, first, second).prepared(args.settings);
-  checkPairs(args, originals, others);
+  const { originals, others } = preparePairs(session, first, second);
   session.warnings.push(...comparedWarnings(originals));
   const weld = stopwatch();
   const pairs = originals.map((original, i) => ({ original, other: others[i] }));
@@ -52,8 +52,25 @@ function optionsAsUsed({ settings }: Arguments): object {
   return { model: 'shell', ...settingsAsUsed('compare', settings) };
 }
 
-/** Bodies are compared in the order of the files. */
-export function checkPairs(
+/** The bodies of A and of B, each beside its own. */
+export interface Pairs {
+  /** the run of A */
+  file: FileRun;
+  originals: PreparedBody[];
+  others: PreparedBody[];
+}
+
+/** Throws UsageError where one of the models has more bodies than the other. */
+export function preparePairs(session: Session, first: OpenModel, second: OpenModel): Pairs {
+  const { args } = session;
+  const file = prepareFile(session, first);
+  const originals = file.prepared(args.settings);
+  const others = preparePartners(session, first, second).prepared(args.settings);
+  checkPairs(args, originals, others);
+  return { file, originals, others };
+}
+
+function checkPairs(
   { command, operands }: Arguments,
   originals: PreparedBody[],
   others: PreparedBody[],

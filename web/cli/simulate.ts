@@ -6,7 +6,9 @@ import type { BodyBinding } from '../engine/body/body_binding';
 import type { MotionComparison, SimulationModel } from '../engine/core/core';
 import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';
+import type { PinnedVertices } from '../engine/body/pins';
 import type { PreparedBody } from '../engine/body/prepared_body';
+import type { OpenModel } from '../engine/document/open';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { askedMotion, checkBesideTuning, solversOf } from '../engine/stages/asked_motion';
 import { describeConvergence } from '../engine/motion/convergence';
@@ -20,27 +22,22 @@ import { readSettingsFile } from '../engine/report/settings_reader';
 import { startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import { ofBody } from '../engine/report/warnings';
-import type { FileRun } from '../engine/stages/file_run';
 import { profileOf } from '../engine/solvers/profiles';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
-import { checkPairs } from './compare';
+import { preparePairs } from './compare';
+import type { Pairs } from './compare';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
 import { readText } from './input_files/read_file';
-import { finish, openFile, prepareFile, preparePartners, save, startSession } from './session';
+import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';
 import { grouped } from '../engine/core/words';
 import { list } from './words';
 
-/** The bodies of A and, where it is named, of B, in the order of their files. */
-interface Sides {
-  file: FileRun;
-  originals: PreparedBody[];
-  /** null: only A is simulated */
-  others: PreparedBody[] | null;
-}
+/** The bodies of A and, where it is named, of B, in the order of their files. `others` is null where only A is simulated. */
+type Sides = Omit<Pairs, 'others'> & { others: PreparedBody[] | null };
 
 export async function runSimulate(args: Arguments): Promise<number> {
   const total = startStopwatch();
@@ -50,15 +47,13 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const first = await openFile(session, args.operands[0]);
   const second = args.operands.length > 1 ? await openFile(session, args.operands[1]) : null;
   const load = stopwatch();
-  const file = prepareFile(session, first);
-  const originals = file.prepared(args.settings);
-  const others = second && preparePartners(session, first, second).prepared(args.settings);
-  if (others) checkPairs(args, originals, others);
-  const sides = { file, originals, others };
+  const sides = prepareSides(session, first, second);
+  const { originals, others } = sides;
+  const setups = setUpMotions(session, sides, carried);
   const weld = stopwatch();
   const factors = calibrationFactors(session, sides);
   const calibration = stopwatch();
-  const motions = compareMotions(session, sides, { ...carried, factors });
+  const motions = compareMotions(session, sides, { setups, factors });
   const simulated = stopwatch();
   if (args.record !== null)
     save(session, args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
@@ -131,19 +126,31 @@ function calibrationFactors({ core, args }: Session, { originals, others }: Side
   return originals.map((original, i) => calibrationOf(core, original, others[i].mesh, args.settings));
 }
 
-interface MotionRequest extends Carried {
-  factors: number[] | null;
+export function prepareSides(session: Session, first: OpenModel, second: OpenModel | null): Sides {
+  if (second) return preparePairs(session, first, second);
+  const file = prepareFile(session, first);
+  return { file, originals: file.prepared(session.args.settings), others: null };
 }
 
-function compareMotions(
+/** What a body is simulated with. */
+interface MotionSetup {
+  /** null: nothing is pinned */
+  pinned: PinnedVertices | null;
+  /** null: closest points */
+  binding: ReturnType<typeof bindingBetween> | null;
+  /** null: no solver is named */
+  solvers: ReturnType<typeof solversOf>;
+}
+
+/** By body; all that is known before anything moves. Throws where what was asked for or read is not of these bodies. */
+export function setUpMotions(
   session: Session,
   { file, originals, others }: Sides,
-  { bindings, factors, tuning }: MotionRequest,
-): MotionComparison[] {
-  const { settings, record } = session.args;
+  { bindings, tuning }: Carried,
+): MotionSetup[] {
+  const { settings } = session.args;
   return file.usable.map(({ run }, i) => {
     const original = originals[i];
-    file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
     const trouble = pinTrouble(settings.scenario, original.mesh, pinned);
     if (trouble) {
@@ -151,7 +158,25 @@ function compareMotions(
       session.warnings.push(ofBody(original.body.name, told, originals.length > 1));
     }
     const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
-    const solvers = solversOf(session.args.settings, original, others?.[i] ?? null, tuning);
+    return { pinned, binding, solvers: solversOf(settings, original, others?.[i] ?? null, tuning) };
+  });
+}
+
+interface MotionRequest {
+  setups: MotionSetup[];
+  factors: number[] | null;
+}
+
+function compareMotions(
+  session: Session,
+  { file, originals, others }: Sides,
+  { setups, factors }: MotionRequest,
+): MotionComparison[] {
+  const { settings, record } = session.args;
+  return file.usable.map(({ run }, i) => {
+    const original = originals[i];
+    const { pinned, binding, solvers } = setups[i];
+    file.announce(run);
     return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),
       records: record !== null,

@@ -3,20 +3,21 @@
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { faceCount } from '../engine/core/mesh';
 import { startStopwatch } from '../engine/core/stopwatch';
+import type { OpenModel } from '../engine/document/open';
 import { meshReport } from '../engine/report/mesh_report';
 import { startReport } from '../engine/report/report';
 import { settingsFile, writeSettings } from '../engine/report/settings_file';
 import { describeTuning, solverReport } from '../engine/report/solver_report';
 import type { SolverName } from '../engine/solvers/profiles';
 import type { TunedBody } from '../engine/solvers/tuned_body';
-import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import { ofBodyNamed, settledBody, tuneMesh, tuneSettings } from '../engine/stages/tune';
 import type { Arguments } from './arguments';
-import { checkPairs } from './compare';
+import { preparePairs } from './compare';
+import type { Pairs } from './compare';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
-import { finish, openFile, prepareFile, preparePartners, save, startSession } from './session';
+import { finish, openFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
 import { grouped } from '../engine/core/words';
@@ -30,12 +31,10 @@ export async function runTune(args: Arguments): Promise<number> {
     await openFile(session, args.operands[1]),
   ];
   const load = stopwatch();
-  const file = prepareFile(session, first);
-  const originals = file.prepared(args.settings);
-  const others = preparePartners(session, first, second).prepared(args.settings);
-  checkPairs(args, originals, others);
+  const pairs = prepareTuning(session, first, second);
+  const { originals, others } = pairs;
   const weld = stopwatch();
-  const tuned = tuneFile(session, file, others);
+  const tuned = tuneFile(session, pairs);
   const tune = stopwatch();
   const bodies = others.map((other, i) => settledBody(other, tuned[i]));
   save(session, path, writeSettings(settingsFile(bodies, args.settings)));
@@ -53,12 +52,22 @@ export async function runTune(args: Arguments): Promise<number> {
   return EXIT.done;
 }
 
-function tuneFile({ core, args }: Session, file: FileRun, others: PreparedBody[]): TunedBody[] {
+/** The bodies, with their pins found. Throws UsageError where a body of B is finer than that of A, or is missing. */
+export function prepareTuning(session: Session, first: OpenModel, second: OpenModel): Pairs {
+  const { args } = session;
+  const pairs = preparePairs(session, first, second);
+  pairs.file.usable.forEach(({ run }, i) => {
+    checkFaces(args, pairs.originals[i], pairs.others[i]);
+    run.get(STAGES.pinned, args.settings);
+  });
+  return pairs;
+}
+
+function tuneFile({ core, args }: Session, { file, others }: Pairs): TunedBody[] {
   const settings = tuneSettings(args.settings)!;
   return file.usable.map(({ run }, i) => {
     file.announce(run);
     const prepared = run.get(STAGES.prepared, args.settings);
-    checkFaces(args, prepared, others[i]);
     const { mesh } = others[i];
     const pinnedOriginal = run.get(STAGES.pinned, args.settings);
     const pinned = core.carryPins(prepared.mesh, pinnedOriginal, mesh);
