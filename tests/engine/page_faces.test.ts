@@ -10,7 +10,7 @@ import { FileOutput } from '../../web/engine/stages/file_output';
 import { FileRun } from '../../web/engine/stages/file_run';
 import { loadTestCore } from './support/core';
 import { textFile } from './support/files';
-import { grid, toObj } from './support/shapes';
+import { box, grid, toObj } from './support/shapes';
 
 it('are the same in the list of bodies, on the slider and in what is written', async () => {
   const core = await loadTestCore(1);
@@ -44,5 +44,26 @@ it('are the same in the list of bodies, on the slider and in what is written', a
   expect([exported.faces, exported.report.output!.faces]).toEqual([after, after]);
   expect(after).toBeLessThanOrEqual(289);
   expect(after).toBeGreaterThan(280);
+  file.dispose();
+});
+
+it('are those that bodies stop at where a scene cannot have so few as are asked for', async () => {
+  const core = await loadTestCore(1);
+  const { positions, triangles } = box(3, 3, 3);
+  const copy = { positions: positions.map((x, i) => (i % 3 === 0 ? x + 50 : x)), triangles };
+  const second = toObj(copy).replaceAll(/^f .*/gm, (face) =>
+    face.replaceAll(/\d+/g, (v) => String(Number(v) + positions.length / 3)),
+  );
+  const text = `o one\n${toObj(box(3, 3, 3))}o two\n${second}\n`;
+  const file = new FileRun(core, await openModel([textFile('two.obj', text)]), { guides: true });
+  file.prepare(defaultSettings());
+  const asked = { settings: defaultSettings(), fields: false, faces: 3, ratio: null, own: new Map() };
+  const { fewest, targets, expected } = shareFaces(file, asked);
+  // A closed body has four faces at least.
+  expect(fewest).toBe(8);
+  expect(targets).toEqual([1, 1]);
+  expect(expected).toEqual([4, 4]);
+  const enough = shareFaces(file, { ...asked, faces: 100 });
+  expect(enough.expected).toEqual(enough.targets);
   file.dispose();
 });

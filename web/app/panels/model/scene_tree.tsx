@@ -37,7 +37,7 @@ export function SceneTree() {
 
 /** As it is, and as it is exported where that is known. */
 function describeFaces(body: OpenedBody, i: number): string {
-  const after = shownResultFile.value?.faces[i] ?? results.shares.value?.targets[i] ?? 0;
+  const after = shownResultFile.value?.faces[i] ?? results.shares.value?.expected[i] ?? 0;
   return after > 0 ? `${count(body.faces)} → ${count(after)}` : count(body.faces);
 }
 

@@ -64,7 +64,7 @@ export function sceneFaces(name: PaneName): number | null {
   const bodies = results.file.value?.bodies ?? [];
   const isScene = isFileDrawn.value && view.isWhole.value && bodies.length > 1;
   if (!isScene || !results.originalFile.value) return null;
-  const after = shownResultFile.value?.faces ?? results.shares.value?.targets;
+  const after = shownResultFile.value?.faces ?? results.shares.value?.expected;
   if (name === 'optimized' && !after) return wants.faces.value ?? halfOf(bodies);
   // A body that cannot be used stays as it is.
   const facesOf = bodies.map(({ faces, health }, i) =>

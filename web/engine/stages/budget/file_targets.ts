@@ -127,6 +127,8 @@ export interface SharedFaces {
   fewest: number;
   /** targets[i]: of body i of the file */
   targets: number[];
+  /** as `targets`, where bodies that cannot have so few stop: what the result has, but for what its limits keep */
+  expected: number[];
 }
 
 /** The targets that `requestFile` gives each body, and the range of the shared number. */
@@ -135,5 +137,9 @@ export function shareFaces(file: FileRun, asked: FileAsked): SharedFaces {
   const shared = file.usable.filter(({ i }) => !own?.has(i));
   const queue = sceneQueue(file, shared, settings, 1);
   const { faces, fewest } = queue;
-  return { wanted: wantedFaces(asked, faces), faces, fewest, targets: requestFile(file, asked).targets };
+  const wanted = wantedFaces(asked, faces);
+  const { targets } = requestFile(file, asked);
+  const isReached = wanted >= fewest;
+  const expected = isReached ? targets : requestFile(file, { ...asked, faces: fewest }).targets;
+  return { wanted, faces, fewest, targets, expected };
 }
