@@ -148,3 +148,30 @@ test(
     await expect(page.locator('.filename')).toHaveText('bar.glb');
   },
 );
+
+test('Back goes to the step before, also after a reload, and leaves the page from the first', async ({
+  page,
+}) => {
+  const current = page.getByRole('navigation', { name: 'Steps' }).locator('[aria-current]');
+  await page.goto('/samples/index.json');
+  await openPage(page);
+  await goTo(page, 'Motion');
+  await goTo(page, 'Reduce');
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  await page.waitForTimeout(600);
+  await page.reload();
+  await expect(readout(page, 'Faces')).toContainText('1,792 → ');
+  await expect(current).toContainText('Reduce');
+  await page.goBack();
+  await expect(current).toContainText('Motion');
+  await page.goForward();
+  await expect(current).toContainText('Reduce');
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  await page.goBack();
+  await expect(current).toContainText('Motion');
+  await expect(page.getByRole('complementary', { name: 'Export' })).toHaveCount(0);
+  await page.goBack();
+  await expect(current).toContainText('Model');
+  await page.goBack();
+  expect(new URL(page.url()).pathname).toBe('/samples/index.json');
+});

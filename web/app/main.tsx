@@ -18,6 +18,7 @@ import { startRunner } from './state/runner';
 import { client } from './state/running';
 import { isDark } from './state/scheme';
 import { startSimulations } from './state/simulation';
+import { followSteps } from './state/steps';
 import { results } from './state/store';
 
 effect(() => {
@@ -25,6 +26,7 @@ effect(() => {
 });
 // The first picture is in the right language.
 await startLanguage();
+followSteps();
 render(<App />, document.getElementById('app')!);
 listenToKeys();
 startRunner();

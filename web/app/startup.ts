@@ -6,6 +6,7 @@ import type { Wanted } from './state/link';
 import { openFiles } from './state/runner';
 import { lastSession, savedSession } from './state/saved_session';
 import type { Session } from './state/saved_session';
+import { changeEntry, entry } from './state/steps';
 import { results, status, wants } from './state/store';
 import type { Notice } from './state/store';
 import { say, sentence } from './language/say';
@@ -58,17 +59,17 @@ function afterOpening(show: () => void): () => void {
   return stop;
 }
 
-const removeLink = (): void => history.replaceState(null, '', location.pathname + location.search);
+const removeLink = (): void => changeEntry({ isOtherOpen: false }, location.pathname + location.search);
 
 /** Whether the link of the address still waits for its file, while another file is open. */
-const isOtherOpen = (): boolean => (history.state as { isOtherOpen?: boolean } | null)?.isOtherOpen === true;
+const isOtherOpen = (): boolean => entry().isOtherOpen === true;
 
 /** Keeps the link in the address until the file that it is for is open, so that after a reload it still waits. */
 function removeLinkOnceOpen(): void {
   const before = results.opened.value;
   const stop = results.opened.subscribe((opened) => {
     if (opened === before) return;
-    if (awaited.value) return history.replaceState({ isOtherOpen: true }, '', location.href);
+    if (awaited.value) return changeEntry({ isOtherOpen: true });
     removeLink();
     queueMicrotask(() => stop());
   });

@@ -3,6 +3,7 @@
 import { LanguageChoice } from '../controls/language_choice';
 import { pickFiles } from '../files/files';
 import { isReloadFaster, reloadPage } from '../state/offline';
+import { goToStep } from '../state/steps';
 import { results, status, view, wants } from '../state/store';
 import type { Step, Theme } from '../state/store';
 import { Samples } from './model/samples';
@@ -56,11 +57,7 @@ function Steps() {
           key={id}
           type="button"
           aria-current={view.step.value === id ? 'step' : undefined}
-          onClick={() => {
-            view.step.value = id;
-            view.picking.value = false;
-            wants.exportOpen.value = false;
-          }}
+          onClick={() => goToStep(id)}
         >
           <span class="ordinal">{i + 1}</span>
           {say(text)}
