@@ -1,7 +1,10 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core, TriangleMesh } from '../../web/engine/core/core';
+import { fitReport } from '../../web/engine/report/result_report';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
+import { fitResult, fitSettings } from '../../web/engine/stages/fit';
+import { STAGES } from '../../web/engine/stages/stages';
 import { loadTestCore } from './support/core';
 import { optimized, runOfMesh } from './support/runs';
 import { torus } from './support/shapes';
@@ -27,6 +30,21 @@ describe('a fit to the surface with limits', () => {
     const limited = reduced(torus(), 200, { fit, maxDeviation });
     expect(limited.fitted.unfitted).toBe('');
     expect(limited.distance.hausdorff).toBeLessThanOrEqual(maxDeviation);
+  });
+
+  it('stays one to the surface where it would break a limit', () => {
+    const run = runOfMesh(core, torus());
+    const all = { ...defaultSettings(), fit, minAngle: 1, modeCount: 6, targetFaces: 200 };
+    const [prepared, result] = [run.get(STAGES.prepared, all), run.get(STAGES.level, all)];
+    const flattened: Core = Object.assign(Object.create(core), {
+      measureQuality: (mesh: TriangleMesh) => ({
+        ...core.measureQuality(mesh),
+        minAngle: mesh === result.mesh ? 30 : 0,
+      }),
+    });
+    const fitted = fitResult(flattened, prepared, result, { constraints: {}, settings: fitSettings(all) });
+    expect(fitted.unfitted).toMatch(/would break a limit/);
+    expect(fitReport([fitted])).toEqual({ fit: { kind: 'surface', unfitted: [fitted.unfitted] } });
   });
 
   it('respects the smallest angle', () => {

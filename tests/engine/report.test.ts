@@ -84,6 +84,9 @@ describe('a report', () => {
     expect(fitReport([fit([2], [1]), fit([], [], 'too large'), fit([], [], 'too large')])).toEqual({
       fit: { kind: 'modal', before: 2, after: 1, unfitted: ['too large'] },
     });
+    expect(fitReport([fit([], [], 'too large')])).toEqual({
+      fit: { kind: 'modal', unfitted: ['too large'] },
+    });
   });
 
   it('counts the flips of fits to the surface, which know no frequencies', () => {
@@ -97,6 +100,10 @@ describe('a report', () => {
     });
     expect(fitReport([fit(3), fit(4)])).toEqual({ fit: { kind: 'surface', flips: 7 } });
     expect(describeShapeFit(fit(1))).toBe('fitted to the surface (1 edge flipped)');
+    expect(fitReport([fit(3), fit(0, 'too far')])).toEqual({
+      fit: { kind: 'surface', flips: 3, unfitted: ['too far'] },
+    });
+    expect(fitReport([fit(0, 'too far')])).toEqual({ fit: { kind: 'surface', unfitted: ['too far'] } });
   });
 
   it('is exhausted if one body missed its target, and gives the share of each reason in it', () => {

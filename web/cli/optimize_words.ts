@@ -41,8 +41,8 @@ function fitWords(output: FileOutput): string[] {
   const { fit } = fitReport(output.values(STAGES.fitted));
   if (!fit) return [];
   const why = fit.unfitted ? [`not fitted: ${fit.unfitted.join('; ')}`] : [];
-  const { before = 0, after = 0, flips = 0 } = fit;
-  if (fit.kind === 'surface') return [describeShapeFit({ flips }), ...why];
+  const { before = 0, after = 0, flips } = fit;
+  if (flips !== undefined) return [describeShapeFit({ flips }), ...why];
   const off = `frequencies off ${after.toFixed(2)} % (${before.toFixed(2)} % before the fit)`;
   return before > 0 ? [off, ...why] : why;
 }

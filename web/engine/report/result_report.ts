@@ -10,12 +10,12 @@ import { modesReport } from './modes_report';
 import { stopReport } from './stop_report';
 import type { StoppedBody, StopReport } from './stop_report';
 
-/** What results were fitted to. */
+/** What results were fitted to, or were to be. */
 export interface FitReport {
   kind: 'surface' | 'modal';
-  /** number of edges that a fit to the surface has flipped */
+  /** number of edges that a fit to the surface has flipped; absent where no body is fitted */
   flips?: number;
-  /** frequency errors before and after a modal fit, in %: those of the part where they are largest */
+  /** frequency errors before and after a modal fit, in %: those of the part where they are largest; absent where no part is fitted */
   before?: number;
   after?: number;
   /** why bodies, or parts of them, are not fitted */
@@ -79,13 +79,13 @@ export function fitReport(fits: FitOfBody[]): { fit?: FitReport } {
   const [before, after] = [fits.map((fit) => fit.errorBefore), fits.map((fit) => fit.errorAfter)];
   const kind = fits.some((fit) => fit.kind === 'surface') ? 'surface' : 'modal';
   const hasErrors = after.some((errors) => errors.length > 0);
+  const hasFlips = fits.some((fit) => fit.kind === 'surface' && fit.unfitted === '');
   if (unfitted.length === 0 && kind === 'modal' && !hasErrors) return {};
   return {
     fit: {
       kind,
-      ...(kind === 'modal'
-        ? { before: worst(before), after: worst(after) }
-        : { flips: sum(fits.map((fit) => fit.flips)) }),
+      ...(hasErrors ? { before: worst(before), after: worst(after) } : {}),
+      ...(hasFlips ? { flips: sum(fits.map((fit) => fit.flips)) } : {}),
       ...(unfitted.length > 0 ? { unfitted } : {}),
     },
   };

@@ -72,7 +72,7 @@ export function fitResult(
   result: MeshAt,
   request: FitRequest,
 ): FittedResult {
-  if (request.settings === null) return unfitted(result, '');
+  if (request.settings === null) return unfitted(result, 'off', '');
   const { settings, isNearLimit } = request;
   for (const share of sharesOf(settings, isNearLimit)) {
     const fitted = fitWithin(core, prepared, result, { ...request, settings, share });
@@ -80,7 +80,7 @@ export function fitResult(
     if (keepsAngle(core, meshes, settings) && keepsDeviation(core, prepared, meshes, settings))
       return asFitted(fitted, settings);
   }
-  return unfitted(result, 'the fit would break a limit of deviation or angle');
+  return unfitted(result, kindOf(settings), 'the fit would break a limit of deviation or angle');
 }
 
 /** The result, fitted without a limit of its deviation; null where that does not bring it within the largest deviation. */
@@ -99,9 +99,11 @@ export function fitWithinDeviation(
   return isKept ? asFitted(fitted, settings) : null;
 }
 
-const asFitted = (fitted: Fitted, { shell }: FitSettings): FittedResult => ({
+const kindOf = ({ shell }: FitSettings): FittedResult['kind'] => (shell === null ? 'surface' : 'modal');
+
+const asFitted = (fitted: Fitted, settings: FitSettings): FittedResult => ({
   ...fitted,
-  kind: shell === null ? 'surface' : 'modal',
+  kind: kindOf(settings),
   unfitted: describeUnfitted(fitted),
 });
 
@@ -185,10 +187,10 @@ const NO_ERRORS = {
   tooLarge: 0,
 };
 
-const unfitted = (result: MeshAt, why: string): FittedResult => ({
+const unfitted = (result: MeshAt, kind: FittedResult['kind'], why: string): FittedResult => ({
   ...NO_ERRORS,
   result,
-  kind: 'off',
+  kind,
   flips: 0,
   unfitted: why,
 });
