@@ -18,7 +18,7 @@ export interface SolverReport {
   motionRefusal?: string;
   /** the values of all bodies that the engine does not accept; absent where there are none */
   outOfRange?: OutOfRange[];
-  /** the number to type in with which steps of the engine blow up, of all bodies; absent where there is none */
+  /** the value, of all bodies, at which time steps of the engine become unstable; absent where there is none */
   blowsUp?: BlowsUp;
 }
 
@@ -36,7 +36,7 @@ interface OutOfRange {
 interface BlowsUp {
   name: string;
   value: number;
-  /** what steps of the engine bear */
+  /** the largest stable value */
   max: number;
 }
 
@@ -85,7 +85,7 @@ function outOfRange(bodies: TunedBody[]): OutOfRange[] {
   });
 }
 
-/** Of the mesh, original or result, that is farthest beyond what steps of the engine bear; undefined: none is. */
+/** For the mesh, original or result, that exceeds the largest stable value most; undefined where none does. */
 function blowsUp(bodies: TunedBody[]): BlowsUp | undefined {
   const { stepLimit } = profileOf(bodies[0].solver);
   if (!stepLimit) return undefined;

@@ -42,11 +42,12 @@ export interface NativeParameter {
   carried?: (change: Change) => number;
 }
 
+/** The stability limit of an explicit term. */
 export interface StepLimit {
-  /** of the parameter */
+  /** name of the parameter */
   name: string;
   most(values: NativeValues): number;
-  /** what `most` is, as an aside */
+  /** the formula of `most` in words, for messages */
   words: string;
 }
 
@@ -89,7 +90,7 @@ export interface SolverProfile {
   /** whether the stiffest constraint determines the number of substeps: explicit steps, XPBD and VBD */
   isLocal: boolean;
   parameters: readonly NativeParameter[];
-  /** of a parameter above which steps of the engine blow up, where others say how much that is */
+  /** the parameter above whose limit the engine's time steps are unstable; the limit follows from other parameters */
   stepLimit?: StepLimit;
   /** Values of the parameters that the user has not `given`, from the material of the settings on the original. */
   defaults(material: SolverMaterial, original: MeshFacts, given: NativeValues): NativeValues;
