@@ -83,6 +83,9 @@ describe('a binding file', () => {
     expect(body.faces).toBe(again.bodies[0].indices.length / 3);
     expect(farthest(model.bodies[0], again.bodies[0], body.binding)).toBeLessThan(0.03);
     const other = prepareBody(core, again.bodies[0], defaultSettings(), again.document);
+    expect(() => bindingBetween(prepared, other, [{ ...body, faces: body.faces - 1 }])).toThrow(
+      `The binding is of another result of "sheet", which has ${body.faces - 1} faces and not ${body.faces}: write it again together with the optimized mesh.`,
+    );
     const { triangle, barycentric } = bindingBetween(prepared, other, [body]);
     expect(
       farthest({ positions: prepared.mesh.positions }, meshAsBody(other.mesh), {

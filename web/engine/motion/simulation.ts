@@ -3,6 +3,7 @@
 import { faceCount, vertexCount } from '../core/mesh';
 import type { Binding, Core, SimulationModel, SimulationOptions, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
+import { counted, grouped } from '../core/words';
 import { collisionSceneOf } from './colliders';
 import type { BodyBinding } from '../body/body_binding';
 import { layersAt } from '../body/layers';
@@ -82,7 +83,7 @@ export function calibrationOf(
 
 /**
  * The binding of a file in terms of two prepared bodies: per vertex of `original` its point on `optimized`. Throws an
- * Error with one sentence where the file is of other bodies.
+ * Error with one sentence where the file is of other bodies, or of another result.
  */
 export function bindingBetween(
   original: PreparedBody,
@@ -94,6 +95,11 @@ export function bindingBetween(
   if (!entry || entry.binding.triangle.length !== vertexOfSource.length)
     throw new Error(
       `The binding is not of "${original.body.name}": write it again together with the optimized mesh.`,
+    );
+  const faces = faceCount({ triangles: optimized.body.indices });
+  if (entry.faces !== faces)
+    throw new Error(
+      `The binding is of another result of "${original.body.name}", which has ${counted(entry.faces, 'face')} and not ${grouped(faces)}: write it again together with the optimized mesh.`,
     );
   const layerOf = new Map<number, { t: number; cornerOf: readonly number[] }>();
   for (let t = 0; t < faceCount(optimized.mesh); ++t)
