@@ -322,6 +322,9 @@ describe('--from', () => {
       });
     expect(run('--from', 'obj').stdout.subarray(0, 4).toString()).toBe('glTF');
     expect(run('--from', 'ply')).toMatchObject({ status: 1 });
+    const headless = '4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n';
+    const off = spawnSync(process.execPath, [program, 'inspect', '-', '--from', 'off'], { input: headless });
+    expect(off.stdout.toString()).toMatch(/^stdin.off: OFF, 1 body\n/);
     expect(run('--from', 'fbx').stderr.toString()).toMatch(/--from is fbx: give one of glb, gltf/);
     expect(limber('inspect', 'src/ring.obj', '--from', 'obj').stderr).toMatch(
       /--from is about a model from stdin/,

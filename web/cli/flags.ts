@@ -56,7 +56,7 @@ const PRESET: Flag = {
   group: 'common',
 };
 /** What --from can say of stdin. */
-export const INPUT_FORMATS = ['glb', 'gltf', 'obj', 'stl', 'ply'] as const;
+export const INPUT_FORMATS = ['glb', 'gltf', 'obj', 'stl', 'ply', 'off'] as const;
 
 const COMMON: Flag[] = [
   REPORT,
