@@ -288,6 +288,13 @@ describe('room on the disk', () => {
     );
   });
 
+  it('is told in tenths where little is left', async () => {
+    const little = { model: 1, positions: 1 };
+    expect(await failureOf(() => checkRoom([output('a.glb', 1)], little, disk(0.29 * MB)))).toBe(
+      `The disk of ${folder} has 0.2 MB left, and the result can take 1.0 MB: make room or choose another folder.`,
+    );
+  });
+
   it('is needed for every frame of a recording', () => {
     expect(() => checkRoom([output('a.glb', 0, 61)], size, disk(61 * MB))).not.toThrow();
     expect(() => checkRoom([output('a.glb', 0, 61)], size, disk(60 * MB))).toThrow(/61 MB/);

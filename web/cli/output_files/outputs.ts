@@ -159,7 +159,7 @@ export function checkRoom(outputs: Output[], size: ModelSize, roomOf = freeBytes
     needed.set(room.disk, { bytes: all, free: room.free });
     if (all > room.free)
       throw new UsageError(
-        `The disk of ${folder} has ${megabytes(room.free)} MB left, and the result can take ${megabytes(all)} MB: make room or choose another folder.`,
+        `The disk of ${folder} has ${megabytes(room.free, Math.floor)} MB left, and the result can take ${megabytes(all, Math.ceil)} MB: make room or choose another folder.`,
       );
   }
 }
@@ -172,7 +172,11 @@ export function sizeOfModel({ document, bodies }: OpenModel): ModelSize {
   return { model: sum(numbers) + sum(pictures), positions };
 }
 
-const megabytes = (bytes: number): string => grouped(Math.ceil(bytes / 2 ** 20));
+/** In tenths below ten, so that what is left is never as much as what it takes. */
+function megabytes(bytes: number, round: (value: number) => number): string {
+  const value = bytes / 2 ** 20;
+  return value < 10 ? (round(10 * value) / 10).toFixed(1) : grouped(round(value));
+}
 
 interface Room {
   /** the same for folders on one disk */
