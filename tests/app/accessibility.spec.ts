@@ -101,3 +101,26 @@ for (const colorScheme of ['light', 'dark'] as const)
     expect(await violations()).toEqual([]);
     await context.close();
   });
+
+test('the number of a step goes to it once a model is open, and C colours what is shown', async ({
+  page,
+}) => {
+  const current = page.getByRole('navigation', { name: 'Steps' }).locator('[aria-current]');
+  const colour = page.getByRole('group', { name: 'Colour by' }).locator('[aria-pressed=true]');
+  await page.goto('/');
+  await expect(page.getByRole('heading', { name: 'Fewer triangles that still move right' })).toBeVisible();
+  await page.keyboard.press('4');
+  await openPage(page);
+  await expect(current).toContainText('Model');
+  await page.keyboard.press('2');
+  await expect(current).toContainText('Motion');
+  await expect(colour).toHaveText('Strain');
+  await page.keyboard.press('c');
+  await expect(colour).toHaveText('Curvature');
+  await page.keyboard.press('4');
+  await expect(current).toContainText('Test');
+  await page.keyboard.press('c');
+  await expect(colour).toHaveText('Deviation');
+  await page.keyboard.press('3');
+  await expect(current).toContainText('Reduce');
+});

@@ -3,6 +3,7 @@
 import { scrolls } from './controls/scroll_keys';
 import { pickFiles } from './files/files';
 import { pictures } from './panels/pictures/pictures_state';
+import { FIELD_NAMES } from './panels/viewport/legend';
 import { isWireShown } from './panels/viewport/show_bodies';
 import { viewportHandle } from './panels/viewport/viewport_view';
 import { cancelRunning } from './state/runner';
@@ -16,10 +17,13 @@ import {
   isSharing,
   keepFaces,
   results,
+  shownField,
   slider,
   view,
   wants,
 } from './state/store';
+import type { Step } from './state/store';
+import { goToStep, STEP_NAMES } from './state/steps';
 import { blink, LAYOUT_NAMES } from './panels/reduce/compare';
 import { BRUSH_RADIUS } from './panels/reduce/brush_section';
 
@@ -27,9 +31,8 @@ const PLAIN: Record<string, () => void> = {
   ' ': playOrPause,
   f: () => viewportHandle.current?.fit(),
   w: () => (view.wire.value = !isWireShown()),
-  '1': () => chooseField('none'),
-  '2': () => chooseField('strain'),
-  '3': () => chooseField('curvature'),
+  ...Object.fromEntries(STEP_NAMES.map((step, i) => [`${i + 1}`, () => toStep(step)])),
+  c: () => chooseField(FIELD_NAMES[(FIELD_NAMES.indexOf(shownField.value) + 1) % FIELD_NAMES.length]),
   b: blink,
   v: () =>
     (view.layout.value = LAYOUT_NAMES[(LAYOUT_NAMES.indexOf(view.layout.value) + 1) % LAYOUT_NAMES.length]),
@@ -49,6 +52,10 @@ const PLAIN: Record<string, () => void> = {
   '?': () => (view.helpOpen.value = !view.helpOpen.value),
 };
 
+function toStep(step: Step): void {
+  if (results.file.value) goToStep(step);
+}
+
 /** Meshes rest on the Reduce step unless they are asked to swing. */
 function playOrPause(): void {
   const { playing, swings, step } = view;
@@ -59,8 +66,7 @@ function playOrPause(): void {
 /** The keys that differ on the Test step. */
 const SIMULATE: Record<string, () => void> = {
   ' ': () => (twin.playing.value = !twin.playing.value),
-  '1': () => (twin.heat.value = false),
-  '2': () => (twin.heat.value = true),
+  c: () => (twin.heat.value = !twin.heat.value),
   v: () => (twin.layout.value = twin.layout.value === 'beside' ? 'over' : 'beside'),
   d: () => (twin.driven.value = !twin.driven.value),
   arrowright: stepOnce,

@@ -94,7 +94,9 @@ export const PAGE: MessageTable = {
   'play or pause; in Reduce: swing or rest': '再生・一時停止 (「削減」では揺らす・止める)',
   'fit the view': '全体を表示',
   wireframe: 'ワイヤーフレーム',
-  'plain, strain, curvature; in Test: plain, deviation': '無地、ひずみ、曲率 (「テスト」では無地、ずれ)',
+  'to the step of this number': 'その番号のステップへ',
+  'next colours: plain, strain, curvature; in Test: plain, deviation':
+    '次の色: 無地、ひずみ、曲率 (「テスト」では無地、ずれ)',
   'blink between original and optimized': '元のメッシュと最適化後を交互に表示',
   'next view: side by side, slider, original, optimized; in Test: overlaid':
     '表示の切り替え: 並べる、スライダー、元、最適化後 (「テスト」では重ねる)',

@@ -78,8 +78,8 @@ export const TEST_AND_EXPORT: MessageTable = {
   '; noise floor {noise}': '、ノイズフロア {noise}',
   'Deviation after {time} s: now {now} of the diagonal, {mean} on average, at most {most} at {at} s{floor}.':
     '{time} 秒後のずれ: 現在は対角線の {now}、平均 {mean}、最大 {most} ({at} 秒){floor}。',
-  'How far each point of the original is from the optimized mesh (2)':
-    '元のメッシュの各点と最適化後のメッシュの距離 (2)',
+  'How far each point of the original is from the optimized mesh (C)':
+    '元のメッシュの各点と最適化後のメッシュの距離 (C)',
   'Deviation, % of diagonal': 'ずれ (対角線に対する %)',
   Time: '時間',
   'Original, per step': '元 (1 ステップ)',

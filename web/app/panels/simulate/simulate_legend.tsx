@@ -8,11 +8,11 @@ import { ColourBar } from '../../controls/colour_bar';
 import { heatScale } from './simulate_scale';
 
 const COLOURS = [
-  { value: 'plain', text: 'Plain', title: 'No colours (1)' },
+  { value: 'plain', text: 'Plain', title: 'No colours (C)' },
   {
     value: 'deviation',
     text: 'Deviation',
-    title: 'How far each point of the original is from the optimized mesh (2)',
+    title: 'How far each point of the original is from the optimized mesh (C)',
   },
 ] as const;
 

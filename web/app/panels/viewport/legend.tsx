@@ -14,10 +14,12 @@ import './legend.css';
 import { say, sentence } from '../../language/say';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
-  { value: 'none', text: 'Plain', title: 'No colours (1)' },
-  { value: 'strain', text: 'Strain', title: 'Strain of the chosen modes (2)' },
-  { value: 'curvature', text: 'Curvature', title: 'Mean curvature (3)' },
+  { value: 'none', text: 'Plain', title: 'No colours (C)' },
+  { value: 'strain', text: 'Strain', title: 'Strain of the chosen modes (C)' },
+  { value: 'curvature', text: 'Curvature', title: 'Mean curvature (C)' },
 ];
+
+export const FIELD_NAMES = FIELDS.map(({ value }) => value);
 
 const LOOKS: { value: LookName; text: string }[] = [
   { value: 'textured', text: 'Materials' },
