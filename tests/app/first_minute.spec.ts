@@ -104,6 +104,22 @@ test('a file that cannot be used never takes the place of the open one', async (
   await expect(page.getByRole('button', { name: /^Mode 1 / })).toBeVisible();
 });
 
+test('files beside a model that are left out are named, with the cure', async ({ page }) => {
+  await page.goto('/');
+  const notice = page.locator('.notices').getByRole('status');
+  const [sheet, chair] = [writeScratch('sheet.obj', sheetObj(8)), writeScratch('stool.fbx', 'Kaydara FBX')];
+  await drop(page, sheet, chair);
+  await expect(page.locator('.filename')).toHaveText('sheet.obj');
+  await expect(notice).toContainText('stool.fbx is a format that is not read here: import it in Blender');
+  await drop(page, sheet, writeScratch('sheet.settings.json', '{}'));
+  await expect(notice).toContainText('sheet.settings.json was left out: drop it alone once the model');
+  await drop(page, sheet, writeScratch('sheet.png', ''));
+  await expect(notice).toHaveCount(0);
+  await drop(page, sheet, writeScratch('other.obj', sheetObj(6)), chair, writeScratch('b.blend', 'BLENDER'));
+  await expect(page.getByRole('button', { name: 'Optimize all 2' })).toBeVisible();
+  await expect(notice).toContainText(/stool\.fbx is .* 1 other was left out, too\./);
+});
+
 test('the Test step shows no numbers of a model that is gone', async ({ page }) => {
   await openPage(page);
   await goTo(page, 'Test');

@@ -1,5 +1,7 @@
 /** What becomes of files that are opened together: a model, several models for the queue, or a settings file for the open model. */
 
+import { wayOfOtherFormat } from '../../engine/document/checks/other_formats';
+import { isModelName } from '../../engine/document/format_names';
 import type { SourceFile } from '../../engine/document/open';
 import { closeQueue, fillQueue } from '../state/queue/queue';
 import { openFiles } from '../state/runner';
@@ -8,17 +10,39 @@ import { results } from '../state/store';
 import { modelGroups } from '../state/queue/model_groups';
 import type { ModelGroup } from '../state/queue/model_groups';
 import { applySettings, isSettingsName } from './settings_file';
+import { say, sayCounted, sentence } from '../language/say';
 
 const ARCHIVE = /\.zip$/i;
 
 /** Never throws: what cannot be used is told in a notice. */
 export async function openAll(files: SourceFile[]): Promise<void> {
   if (files.length > 0 && files.every(isSettingsName)) return applySettings(files[0]);
-  const groups = modelGroups(await unpackedOf(files));
-  if (groups.length < 2) return openFiles(files);
+  const all = await unpackedOf(files);
+  const groups = modelGroups(all);
+  // An archive inside another is no file that was meant to be opened.
+  const leftOut = describeLeftOut(all === files ? all : all.filter(({ name }) => !ARCHIVE.test(name)));
+  if (groups.length < 2) return openFiles(files, { leftOut });
   fillQueue(groups);
-  await openFirst(groups);
+  await openFirst(groups, leftOut);
 }
+
+/** Which files beside models are meant to be opened and cannot be, and the cure; undefined where there are none. */
+function describeLeftOut(files: readonly SourceFile[]): string | undefined {
+  if (!files.some(({ name }) => isModelName(name))) return undefined;
+  const [first, ...others] = files.flatMap(({ name }) => wayOfOtherFormat(name) ?? wayOfSettings(name) ?? []);
+  if (others.length === 0) return first;
+  return sayCounted(
+    others.length,
+    '{first} {count} other was left out, too.',
+    '{first} {count} others were left out, too.',
+    { first: sentence(first) },
+  );
+}
+
+const wayOfSettings = (name: string): string | null =>
+  /\.settings\.json$/i.test(name)
+    ? say('{name} was left out: drop it alone once the model that it was made for is open.', { name })
+    : null;
 
 /** Files as they are where no archive is among them, or where one cannot be unpacked: opening it says why. */
 async function unpackedOf(files: SourceFile[]): Promise<SourceFile[]> {
@@ -31,10 +55,10 @@ async function unpackedOf(files: SourceFile[]): Promise<SourceFile[]> {
 }
 
 /** Opens the first model that can be used. */
-async function openFirst(groups: readonly ModelGroup[]): Promise<void> {
+async function openFirst(groups: readonly ModelGroup[], leftOut: string | undefined): Promise<void> {
   const before = results.opened.value;
   for (const { files } of groups) {
-    await openFiles(files);
+    await openFiles(files, { leftOut });
     if (results.opened.value !== before) return;
   }
   if (!results.file.value) closeQueue();

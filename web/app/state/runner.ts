@@ -42,6 +42,8 @@ export interface HowToOpen {
   asked?: Wanted;
   /** what they begin with where nothing is asked and nothing was done to them before; left out: what any other model does */
   fresh?: Wanted;
+  /** what is said once they are open of others that came with them */
+  leftOut?: string;
 }
 
 /** Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. */
@@ -72,6 +74,7 @@ async function openNow(files: SourceFile[], how: HowToOpen): Promise<void> {
     const before = asked ? null : workBefore(key, fresh, !startsAnew);
     take(file, asked ?? before ?? fresh, startsAnew);
     beginWork(key, { fresh, name: file.name, isKept: before !== null });
+    if (how.leftOut) status.notice.value ??= { kind: 'info', text: how.leftOut };
     void saveFiles(files);
   } finally {
     opened = null;

@@ -13,6 +13,9 @@ export const PAGE: MessageTable = {
   'Settings of this step': 'このステップの設定',
   Language: '言語',
   'Drop to open': 'ドロップして開く',
+  '{first} {count} others were left out, too.': '{first}ほかの {count} 個も開いていません。',
+  '{name} was left out: drop it alone once the model that it was made for is open.':
+    '{name} は使われていません。対応するモデルを開いてから、このファイルだけをドロップしてください。',
   Open: '開く',
   'Open a file': 'ファイルを開く',
   'Open a file (Ctrl+O)': 'ファイルを開く (Ctrl+O)',
