@@ -8,9 +8,9 @@ describe('what is said of substeps', () => {
     expect(describeConvergence({ ...found, isConverged: true }, String)).toBeNull();
   });
 
-  it('is how far the original is from itself, and what to take', () => {
+  it('is what they make of the deviation that is shown, and what to take', () => {
     expect(describeConvergence(found, (substeps) => `take --substeps ${substeps}`)).toBe(
-      'At 20 substeps the original is still 3.0 % away from itself at 40, beside the 2.4 % that are judged: take --substeps 100.',
+      'At 20 substeps the deviation of 2.4 % is not to be trusted, as 40 move the original alone by 3.0 %: take --substeps 100.',
     );
   });
 

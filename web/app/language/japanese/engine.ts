@@ -62,10 +62,10 @@ export const ENGINE: MessageTable = {
   'an angle would get too small': '角が小さくなりすぎます',
   'the surface would go too far': '表面が離れすぎます',
   // web/engine/motion/convergence.ts
-  'At {count} substep the original is still {moved} away from itself at {finer}, beside the {judged} that are judged: {take}.':
-    'サブステップ {count} では、元のメッシュは {finer} のときと {moved} ずれています (判定対象のずれは {judged})。{take}。',
-  'At {count} substeps the original is still {moved} away from itself at {finer}, beside the {judged} that are judged: {take}.':
-    'サブステップ {count} では、元のメッシュは {finer} のときと {moved} ずれています (判定対象のずれは {judged})。{take}。',
+  'At {count} substep the deviation of {judged} is not to be trusted, as {finer} move the original alone by {moved}: {take}.':
+    'サブステップ {count} では、ずれ {judged} は信頼できません。{finer} にすると元のメッシュの動きだけで {moved} 変わります。{take}。',
+  'At {count} substeps the deviation of {judged} is not to be trusted, as {finer} move the original alone by {moved}: {take}.':
+    'サブステップ {count} では、ずれ {judged} は信頼できません。{finer} にすると元のメッシュの動きだけで {moved} 変わります。{take}。',
   // web/engine/report/level_words.ts
   '{file}: a further level has {count} faces, and the result {number}: give smaller shares of the original to “{name}”.':
     '{file}: 追加の LOD は {count} 面で、結果の {number} 面より多くなっています。「{name}」には元のメッシュに対するより小さい割合を指定してください。',

@@ -68,8 +68,8 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Checking ...': '確認しています...',
   'take {count}': '{count} にしてください',
   'Take {count}': '{count} にする',
-  'Enough: {count} more would move the original by {moved}, beside the {judged} that are judged.':
-    '十分です。{count} 増やしても元のメッシュの動きは {moved} しか変わりません (判定対象のずれは {judged})。',
+  'Enough: {count} more would move the original by {moved}, little beside the deviation of {judged}.':
+    '十分です。{count} 増やしても元のメッシュの動きは {moved} しか変わりません (ずれ {judged} に比べてわずかです)。',
   'Deviation, mean over the surface': 'ずれ (表面全体の平均)',
   'The original against itself with its constraints in another order':
     '拘束の順序を変えた元のメッシュ同士の差',

@@ -47,7 +47,7 @@ function Finding(found: Convergence) {
     return (
       <p class="hint">
         {say(
-          'Enough: {count} more would move the original by {moved}, beside the {judged} that are judged.',
+          'Enough: {count} more would move the original by {moved}, little beside the deviation of {judged}.',
           {
             count: count(found.substeps),
             moved: percent(found.substepDeviation),
