@@ -203,6 +203,24 @@ test('who does not know the solver gets the plain result, words to choose by, an
   await expect(table).toHaveCount(0);
 });
 
+test('nothing is said of the noise floor before the motion starts', async ({ page }) => {
+  await openPage(page);
+  await page.evaluate(() => {
+    const notes: string[] = ((window as unknown as { notes: string[] }).notes = []);
+    const look = () => {
+      const text = document.querySelector('.readouts.of-test')?.textContent ?? '';
+      if (text.includes('about to start')) notes.push(text);
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  await goTo(page, 'Test');
+  await expect(readout(page, 'Time')).toContainText(/\d s/);
+  const notes = await page.evaluate(() => (window as unknown as { notes: string[] }).notes);
+  expect(notes.length).toBeGreaterThan(0);
+  expect(notes.filter((text) => text.includes('noise'))).toEqual([]);
+});
+
 test('a check says whether the substeps are enough, and what to take where they are not', async ({
   page,
 }) => {

@@ -39,7 +39,7 @@ export function SimulateReadouts() {
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
-        note={noise === null ? say('no noise floor') : say('noise {noise}', { noise: percent(noise) })}
+        note={last ? describeNoise(noise) : ''}
         width="wide"
         phoneOrder={2}
       />
@@ -52,6 +52,9 @@ export function SimulateReadouts() {
     </dl>
   );
 }
+
+const describeNoise = (noise: number | null): string =>
+  noise === null ? say('no noise floor') : say('noise {noise}', { noise: percent(noise) });
 
 function describePace(frame: TwinFrame | null): string {
   if (!(twin.playing.value || frame?.playing)) return say('paused');
