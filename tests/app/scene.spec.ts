@@ -1,3 +1,4 @@
+import { WebIO } from '@gltf-transform/core';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
 import { sheetObj } from './meshes';
@@ -159,3 +160,21 @@ test(
     expect(new TextDecoder().decode(bytes.subarray(0, 4))).toBe('glTF');
   },
 );
+
+test('with a solver, the page names the meshes that their nodes scale unevenly', async ({ page }) => {
+  const io = new WebIO();
+  const document = await io.readBinary(await standingTubes());
+  document.getRoot().listNodes()[1].setScale([1, 1, 2]);
+  await drop(page, writeScratch('stretched.glb', await io.writeBinary(document)));
+  await expect(page.locator('.left .filename').first()).toHaveText('stretched.glb');
+  const warning = page.getByText(
+    'blue: mesh and masses for the solver have the mean of the scale of the node',
+  );
+  await goTo(page, 'Test');
+  await expect(page.getByLabel('Scenario', { exact: true })).toBeVisible();
+  await expect(warning).toHaveCount(0);
+  await page.getByLabel('Solver', { exact: true }).selectOption('jolt');
+  await expect(warning).toBeVisible();
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  await expect(page.getByRole('complementary', { name: 'Export' }).locator(warning)).toBeVisible();
+});

@@ -15,11 +15,11 @@ export function describeBodies({ runs, model }: FileRun): OpenedBody[] {
   const matrices = meshMatrices(model.document);
   return model.bodies.map((body, i) => {
     const prepared = runs[i]?.get(STAGES.prepared, defaultSettings());
+    const { name, mesh, isScaledUnevenly } = body;
     return {
-      name: body.name,
+      ...{ name, mesh, isScaledUnevenly },
       faces: prepared ? allFaces(prepared.layers) : body.indices.length / 3,
-      mesh: body.mesh,
-      nodeMatrix: matrices[body.mesh],
+      nodeMatrix: matrices[mesh],
       health: prepared ? healthOf(prepared) : null,
     };
   });

@@ -20,7 +20,7 @@ import type {
 } from '../../engine/body/body_result';
 import type { HealthNote } from '../../engine/body/health';
 import type { FileContents } from '../../engine/document/facts/contents';
-import type { SourceFile } from '../../engine/document/open';
+import type { Body, SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { Stored } from '../../engine/document/write/compression';
 import type { Report } from '../../engine/report/report';
@@ -40,11 +40,8 @@ export interface Started {
   job: Int32Array | null;
 }
 
-export interface OpenedBody {
-  name: string;
+export interface OpenedBody extends Pick<Body, 'name' | 'mesh' | 'isScaledUnevenly'> {
   faces: number;
-  /** its number among the meshes of the file */
-  mesh: number;
   /** from the space of the mesh to that of the scene, column by column */
   nodeMatrix: number[];
   /** null: it cannot be used, and stays as it is in every export */

@@ -10,6 +10,7 @@ import { ownModel, twin, usedTuning } from '../../state/twin';
 import { describeTrial } from './trial_text';
 import { UnknownSolver } from './unknown_solver';
 import { Choice, Select } from '../../controls/controls';
+import { UnevenScale } from '../uneven_scale';
 import { say, sentence } from '../../language/say';
 
 type Material = Settings['material'];
@@ -160,6 +161,7 @@ function Tuning() {
         </p>
       )}
       <Trial />
+      <UnevenScale />
       <TakeAlong />
     </>
   );
