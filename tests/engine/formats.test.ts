@@ -6,7 +6,7 @@ import { strFromU8, unzipSync, zipSync } from 'fflate';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { describe, expect, it, vi } from 'vitest';
-import type { Compression, LevelStyle } from '../../web/engine/core/output_words';
+import type { Compression, LevelStyle } from '../../web/engine/core/output_choices';
 import { openModel } from '../../web/engine/document/open';
 import type { OpenModel, SourceFile } from '../../web/engine/document/open';
 import { glbParts, withJson } from '../../web/engine/document/glb';

@@ -6,7 +6,7 @@ import type { Document, Material, Mesh, Node } from '@gltf-transform/core';
 import { getBounds } from '@gltf-transform/functions';
 import { expect, it } from 'vitest';
 import type { TriangleMesh } from '../../web/engine/core/core';
-import type { Compression } from '../../web/engine/core/output_words';
+import type { Compression } from '../../web/engine/core/output_choices';
 import type { ExportedBody } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
 import type { OpenModel } from '../../web/engine/document/open';

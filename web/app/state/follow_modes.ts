@@ -2,7 +2,7 @@
 
 import { effect, untracked } from '@preact/signals';
 import { leadingMode } from '../../engine/core/mode_set';
-import { likeModes } from '../../engine/core/like_modes';
+import { matchModes } from '../../engine/core/match_modes';
 import type { ModesResult } from '../worker/protocol';
 import { areModesStale, changeSettings, results, status, wants } from './store';
 import { withoutUndo } from './undo';
@@ -38,7 +38,7 @@ function take(found: ModesResult): void {
 }
 
 function follow(before: ModesResult, found: ModesResult, modes: readonly number[]): void {
-  const alike = likeModes(before, found, modes);
+  const alike = matchModes(before, found, modes);
   const kept = alike.filter((number) => number !== null).sort((a, b) => a - b);
   if (kept.length === modes.length && kept.every((number, i) => number === modes[i])) return;
   const next = kept.length > 0 ? kept : ('auto' as const);

@@ -2,7 +2,7 @@
 
 import type { OpenModel } from '../../engine/document/model';
 import { isCompressed, outputForm } from '../../engine/document/write/output_form';
-import type { WrittenFormat } from '../../engine/core/output_words';
+import type { WrittenFormat } from '../../engine/core/output_choices';
 import type { Settings } from '../../engine/settings/options';
 import type { PresetName } from '../../engine/settings/presets';
 import type { Arguments } from '../arguments';

@@ -1,8 +1,8 @@
 /** The attributes of a body's corners besides positions, as simplification needs them: charts, and values that enter its costs. */
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
-import { AlikeMembers, mixed } from '../core/alike';
-import type { LastMembers } from '../core/alike';
+import { DistinctMembers, extendHash } from '../core/distinct_members';
+import type { LastMembers } from '../core/distinct_members';
 import { NONE } from '../core/core';
 import type { Charts, CornerSources, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
@@ -261,7 +261,7 @@ function classify(entries: Entries, mesh: TriangleMesh, lists: Compared[][]): Cl
   const representative: number[] = [];
   const spanOfClass: number[] = [];
   const hashOf = (entry: number, span: number) => hashAt(lists[span], entry - first[span]);
-  const classes = new AlikeMembers(
+  const classes = new DistinctMembers(
     (one) => hashOf(representative[one], spanOfClass[one]),
     lastOf(new Uint32Array(vertexCount(mesh)).fill(NONE)),
   );
@@ -294,7 +294,7 @@ const lastOf = (classes: Uint32Array): LastMembers => ({
 function hashAt(list: Compared[], entry: number): number {
   let hash = 0;
   for (const { array, size, from, to } of list)
-    for (let c = from; c < to; ++c) hash = mixed(hash, array[size * entry + c]);
+    for (let c = from; c < to; ++c) hash = extendHash(hash, array[size * entry + c]);
   return hash;
 }
 

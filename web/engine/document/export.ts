@@ -21,7 +21,7 @@ import { dropEarlierAttributes, dropEarlierExtras } from './write/earlier_result
 import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
 import { rememberShared } from './write/shared_accessors';
-import { likeStored, storedAgain } from './write/stored_values';
+import { withStoredType, staysStored } from './write/stored_values';
 import type { MorphTarget } from './shapes';
 import { GrowingIndices } from './growing';
 import { CARRIED, geometryOf, isUntouched } from './vertices';
@@ -153,7 +153,7 @@ export function renderVertices(model: OpenModel, exported: ExportedBody): number
   const primitives = model.document.getRoot().listMeshes()[body.mesh].listPrimitives();
   const sourced: SourcedMesh = { mesh: exported.mesh, body, sources: exported.sources };
   const normals = resultNormals(exported.mesh, exported.hardCosine ?? undefined);
-  const trianglesOfSpan = shareOut(body, exported.inputOfTriangle);
+  const trianglesOfSpan = trianglesBySpan(body, exported.inputOfTriangle);
   return body.spans.flatMap((span, i) => {
     const primitive = primitives[span.primitive];
     const keyOf = normalKeys(primitive, span, exported, { normals, smoothed: isSmoothed(model) });
@@ -188,10 +188,10 @@ function replaceMesh(
   if (exported.targets) dropMorphing(destination.document, mesh);
   const sourced: SourcedMesh = { mesh: exported.mesh, body, sources: exported.sources };
   const normals = resultNormals(exported.mesh, exported.hardCosine ?? undefined);
-  const trianglesOfSpan = shareOut(body, exported.inputOfTriangle);
+  const trianglesOfSpan = trianglesBySpan(body, exported.inputOfTriangle);
   const written: Primitive[] = [];
   const before = body.spans.map(({ primitive }) => primitives[primitive].getAttribute('POSITION')!);
-  const stores = storedAgain(keepsStored, exported.mesh.positions, before);
+  const stores = staysStored(keepsStored, exported.mesh.positions, before);
   body.spans.forEach((span, i) => {
     const primitive = primitives[span.primitive];
     if (trianglesOfSpan[i].length === 0) {
@@ -251,7 +251,7 @@ function indicesOfSpan({ spans, indices }: Body, i: number): Uint32Array {
 }
 
 /** Per span of the body: the triangles of the new mesh that come from it, ascending. */
-function shareOut(body: Body, inputOfTriangle: Uint32Array): Uint32Array[] {
+function trianglesBySpan(body: Body, inputOfTriangle: Uint32Array): Uint32Array[] {
   const shares = body.spans.map(() => new GrowingIndices());
   inputOfTriangle.forEach((source, t) => shares[spanOf(body, source)].push(t));
   return shares.map((share) => share.finish());
@@ -279,7 +279,7 @@ function writePrimitive(
       .setType(type)
       .setArray(values);
     const old = primitive.getAttribute(semantic);
-    primitive.setAttribute(semantic, old && stores(semantic) ? likeStored(accessor, old) : accessor);
+    primitive.setAttribute(semantic, old && stores(semantic) ? withStoredType(accessor, old) : accessor);
   };
   add('POSITION', gatherTriples(exported.mesh.positions, vertexOfMesh), 'VEC3');
   if (geometry.normalKey.some((key) => key !== CARRIED))

@@ -16,19 +16,19 @@ import {
   sizeOf,
 } from './checks/gltf_bounds';
 import { canBeCarried, foreignOf } from './extensions/foreign';
-import { addPassedOver } from './extensions/passed_over';
+import { restoreSkippedProperties } from './extensions/skipped_properties';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { describeFallbacks, requireFormats } from './checks/fallback_images';
 import { withoutImageless } from './checks/imageless';
 import { withoutShear } from './checks/sheared';
-import { jsonMistake } from '../core/json_mistake';
+import { describeJsonPosition } from '../core/json_position';
 import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
 import { describeFailure } from './checks/reading_failure';
 import { checkEncoding } from './checks/text_encoding';
 import { firstProblem } from './validate';
 import { storedIn, withKnownNames } from './write/compression';
-import { markEndless } from './write/endless_cameras';
+import { setInfiniteFarPlanes } from './write/infinite_cameras';
 
 /**
  * Opens `file` with its companions among `files`; it may have no body. Missing images stay references. Throws an
@@ -53,7 +53,7 @@ export async function openGltf(
   const size = sizeOf(file.bytes.length, jsonDocument);
   const document = await readDocument(file, jsonDocument, size);
   requireFormats(document);
-  markEndless(document, json);
+  setInfiniteFarPlanes(document, json);
   const { bodies, notes } = bodiesOfDocument(file.name, document, mostCorners(size));
   return {
     name: file.name,
@@ -112,7 +112,9 @@ function parseText(name: string, text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (error) {
-    throw new Error(`${name} is not glTF: its text is not JSON${jsonMistake(text, error)}: is it a mesh?`);
+    throw new Error(
+      `${name} is not glTF: its text is not JSON${describeJsonPosition(text, error)}: is it a mesh?`,
+    );
   }
 }
 
@@ -184,7 +186,7 @@ async function readDocument(file: SourceFile, jsonDocument: JSONDocument, size: 
   let document: Document;
   try {
     document = await io.readJSON(jsonDocument);
-    addPassedOver(document, jsonDocument.json);
+    restoreSkippedProperties(document, jsonDocument.json);
   } catch (error) {
     throw refuse((await firstProblem(jsonDocument.json)) ?? describeFailure(error).replace(/:.*/, ''));
   }

@@ -1,7 +1,7 @@
 /** Opens the bytes of a GLB, glTF with its files, OBJ, STL, PLY or OFF, or of a ZIP of these, as a document with its bodies. */
 
 import { isZip, unpacked } from './archive/read_zip';
-import { wayOfOtherFormat } from './checks/other_formats';
+import { describeConversion } from './checks/other_formats';
 import { formatOfName } from './format_names';
 import { openObj } from './formats/obj/open_obj';
 import { withKnownLevels } from './facts/levels_of_detail';
@@ -34,7 +34,7 @@ export async function openModel(files: SourceFile[]): Promise<OpenModel> {
 
 /** Whether the file is a ZIP by its bytes but a scene format by its name, like USDZ. */
 const isPackedScene = ({ name }: SourceFile): boolean =>
-  !/\.zip$/i.test(name) && wayOfOtherFormat(name) !== null;
+  !/\.zip$/i.test(name) && describeConversion(name) !== null;
 
 /** As `openModel`, but a glTF without triangles opens as a model without bodies. */
 export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
@@ -69,7 +69,7 @@ function chooseModel(files: SourceFile[]): { file: SourceFile; format: Format } 
   const format = formatOfBytes(file.bytes) ?? formatOfName(file.name) ?? guessFormat(file.bytes);
   if (format === null || (models.length === 0 && files.length > 1)) {
     for (const { name } of files) {
-      const way = wayOfOtherFormat(name);
+      const way = describeConversion(name);
       if (way !== null) throw new Error(way);
     }
     const what = files.length === 1 ? `${file.name} is not` : `None of the ${files.length} files is`;

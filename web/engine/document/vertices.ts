@@ -1,7 +1,7 @@
 /** Splits the vertices of a result where the attributes of their corners differ, as a primitive of the file needs. */
 
 import type { Primitive } from '@gltf-transform/core';
-import { AlikeMembers, mixed } from '../core/alike';
+import { DistinctMembers, extendHash } from '../core/distinct_members';
 import { NONE } from '../core/core';
 import type { CornerSources, TriangleMesh } from '../core/core';
 import type { VertexSources } from './blend';
@@ -63,7 +63,7 @@ class VertexGathering {
   private readonly vertices = new GrowingIndices();
   private readonly shares = new GrowingFloats();
   /** the vertices that are written, by vertices of the mesh */
-  private readonly written = new AlikeMembers((one) =>
+  private readonly written = new DistinctMembers((one) =>
     this.hashOf(this.normalKey.at(one), this.shares.at(3 * one), this.vertices.view().subarray(3 * one)),
   );
   private readonly normals: ArrayLike<number> | null;
@@ -144,12 +144,12 @@ class VertexGathering {
 
   /** Equal for vertices that are the same; `share`: of the first of its sources. */
   private hashOf(normalKey: number, share: number, vertices: Uint32Array): number {
-    const hash = mixed(normalKey, share);
-    if (share !== 1) return mixed(mixed(hash, vertices[0]), vertices[1]);
+    const hash = extendHash(normalKey, share);
+    if (share !== 1) return extendHash(extendHash(hash, vertices[0]), vertices[1]);
     const carried = this.normals && normalKey === CARRIED ? [{ array: this.normals, size: 3 }] : [];
     return [...this.compared, ...carried].reduce((all, { array, size }) => {
       let own = all;
-      for (let c = 0; c < size; ++c) own = mixed(own, array[size * vertices[0] + c]);
+      for (let c = 0; c < size; ++c) own = extendHash(own, array[size * vertices[0] + c]);
       return own;
     }, hash);
   }

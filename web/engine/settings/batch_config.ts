@@ -1,6 +1,6 @@
 /** The configuration of a batch: options for all assets, and others for some of them (docs/batch.schema.json). */
 
-import { jsonMistake } from '../core/json_mistake';
+import { describeJsonPosition } from '../core/json_position';
 import { excerpt, quotedJson } from '../core/words';
 import { checkSetting } from './check';
 import { settingsOf } from './commands';
@@ -132,7 +132,7 @@ function parse(text: string, name: string): Record<string, unknown> {
     return objectOf(JSON.parse(text.replace(/^\ufeff/, '')), name);
   } catch (error) {
     if (!(error instanceof SyntaxError)) throw error;
-    const where = jsonMistake(text, error);
+    const where = describeJsonPosition(text, error);
     throw new Error(`${name} is not JSON${where}: check its commas, quotes and brackets.`);
   }
 }

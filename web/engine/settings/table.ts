@@ -5,7 +5,7 @@
  */
 
 import { describeMethods, METHOD_NAMES } from '../core/methods';
-import { COMPRESSIONS, FORMAT_CHOICES, LEVEL_STYLES } from '../core/output_words';
+import { COMPRESSIONS, FORMAT_CHOICES, LEVEL_STYLES } from '../core/output_choices';
 import { describeScenarios, SCENARIO_NAMES } from '../core/scenarios';
 import { describeSolvers, SOLVER_NAMES } from '../solvers/profiles';
 import type { OptionOf, OptionSpec, SettingValue } from './types';

@@ -1,6 +1,6 @@
 /** In which format the file is written, how it stores vertices, and what goes into it besides the meshes. */
 
-import type { Compression } from '../../../engine/core/output_words';
+import type { Compression } from '../../../engine/core/output_choices';
 import { OPTIONS } from '../../../engine/settings/options';
 import { EXPORT_FORMATS, exportFormatOf } from '../../worker/export_form';
 import { changeSettings, wants } from '../../state/store';

@@ -2,7 +2,7 @@
 
 import { useId, useState } from 'preact/hooks';
 import { describeFinerLevels } from '../../../engine/report/level_words';
-import type { LevelStyle } from '../../../engine/core/output_words';
+import type { LevelStyle } from '../../../engine/core/output_choices';
 import { OPTIONS } from '../../../engine/settings/options';
 import { exportFormatOf } from '../../worker/export_form';
 import { changeSettings, results, slider, wants } from '../../state/store';

@@ -5,64 +5,73 @@ interface OtherFormat {
   endings: readonly string[];
   what: string;
   /** a sentence without its full stop */
-  way: string;
+  conversion: string;
 }
 
 const OTHERS: readonly OtherFormat[] = [
   {
     endings: ['blend', 'blend1'],
     what: 'a Blender file',
-    way: 'in Blender choose File > Export > glTF 2.0 (.glb)',
+    conversion: 'in Blender choose File > Export > glTF 2.0 (.glb)',
   },
   {
     endings: ['fbx', 'dae', 'abc'],
     what: 'a format that is not read here',
-    way: 'import it in Blender and choose File > Export > glTF 2.0 (.glb)',
+    conversion: 'import it in Blender and choose File > Export > glTF 2.0 (.glb)',
   },
   {
     endings: ['usd', 'usda', 'usdc', 'usdz'],
     what: 'a USD file',
-    way: 'import it in Blender (File > Import > Universal Scene Description) and export it as glTF 2.0 (.glb)',
+    conversion:
+      'import it in Blender (File > Import > Universal Scene Description) and export it as glTF 2.0 (.glb)',
   },
   {
     endings: ['max', '3ds'],
     what: 'a 3ds Max file',
-    way: 'in 3ds Max choose File > Export > Export and glTF (.glb)',
+    conversion: 'in 3ds Max choose File > Export > Export and glTF (.glb)',
   },
   {
     endings: ['ma', 'mb'],
     what: 'a Maya scene',
-    way: 'export it from Maya as OBJ, or as FBX and from there with Blender as GLB',
+    conversion: 'export it from Maya as OBJ, or as FBX and from there with Blender as GLB',
   },
-  { endings: ['c4d'], what: 'a Cinema 4D file', way: 'in Cinema 4D choose File > Export > glTF' },
-  { endings: ['skp'], what: 'a SketchUp file', way: 'in SketchUp choose File > Export > 3D Model as GLB' },
-  { endings: ['zpr', 'ztl'], what: 'a ZBrush file', way: 'in ZBrush export the tool as OBJ' },
-  { endings: ['hip', 'hipnc'], what: 'a Houdini file', way: 'in Houdini write it with a glTF ROP as GLB' },
+  { endings: ['c4d'], what: 'a Cinema 4D file', conversion: 'in Cinema 4D choose File > Export > glTF' },
+  {
+    endings: ['skp'],
+    what: 'a SketchUp file',
+    conversion: 'in SketchUp choose File > Export > 3D Model as GLB',
+  },
+  { endings: ['zpr', 'ztl'], what: 'a ZBrush file', conversion: 'in ZBrush export the tool as OBJ' },
+  {
+    endings: ['hip', 'hipnc'],
+    what: 'a Houdini file',
+    conversion: 'in Houdini write it with a glTF ROP as GLB',
+  },
   {
     endings: ['step', 'stp', 'iges', 'igs', '3dm', 'sldprt', 'f3d'],
     what: 'a CAD file, which has surfaces and no mesh',
-    way: 'export it from the CAD program as STL or OBJ',
+    conversion: 'export it from the CAD program as STL or OBJ',
   },
   {
     endings: ['vrm', 'b3dm', 'vtk', 'vtu', 'x', 'x3d', 'wrl', '3mf'],
     what: 'a format that is not read here',
-    way: 'convert it to GLB, OBJ, STL or PLY, in Blender or MeshLab',
+    conversion: 'convert it to GLB, OBJ, STL or PLY, in Blender or MeshLab',
   },
   {
     endings: ['rar', '7z', 'gz', 'tar'],
     what: 'an archive',
-    way: 'unpack it, or pack what is inside as ZIP',
+    conversion: 'unpack it, or pack what is inside as ZIP',
   },
   {
     endings: ['zip'],
     what: 'empty or damaged',
-    way: 'pack the files again',
+    conversion: 'pack the files again',
   },
 ];
 
 /** How to convert a file of this name, as a sentence; null for unknown endings. */
-export function wayOfOtherFormat(name: string): string | null {
+export function describeConversion(name: string): string | null {
   const ending = name.toLowerCase().split('.').pop()!;
   const known = OTHERS.find(({ endings }) => endings.includes(ending));
-  return known ? `${name} is ${known.what}: ${known.way}, then open that.` : null;
+  return known ? `${name} is ${known.what}: ${known.conversion}, then open that.` : null;
 }

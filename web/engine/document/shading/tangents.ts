@@ -1,7 +1,7 @@
 /** Tangents of results: recomputed by MikkTSpace where faces changed, if those of the file are by MikkTSpace. */
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
-import { likeStored } from '../write/stored_values';
+import { withStoredType } from '../write/stored_values';
 
 /**
  * MikkTSpace (Mikkelsen 2008) over triangles whose corners have values of their own: positions and normals [3 * corner + c], texture
@@ -75,7 +75,10 @@ export function remakeTangents(
     const across = perpendicular(sums.subarray(3 * vertex, 3 * vertex + 3), normals.getElement(vertex, []));
     if (across) written.set(across, 4 * vertex);
   });
-  primitive.setAttribute('TANGENT', likeStored(carried.clone().setNormalized(false).setArray(written), old));
+  primitive.setAttribute(
+    'TANGENT',
+    withStoredType(carried.clone().setNormalized(false).setArray(written), old),
+  );
 }
 
 /** Per corner, with glTF's handedness; null where normals or texture coordinates are not there. */

@@ -6,12 +6,12 @@ import {
   KHRDracoMeshCompression,
   KHRMeshQuantization,
 } from '@gltf-transform/extensions';
-import type { Compression } from '../../core/output_words';
+import type { Compression } from '../../core/output_choices';
 import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
 import { INSTANCING } from '../placements';
 import { hasQuantized, isUnused } from '../prune';
 import { moreThanMesh, moveToChild } from './child_nodes';
-import { quantizeDifferences, takeOutUnmoving } from './quantized_targets';
+import { quantizeDifferences, detachRestingTargets } from './quantized_targets';
 import { followThickness } from './thickness';
 
 /** How the vertices of a file are stored. */
@@ -120,7 +120,7 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
     .getRoot()
     .listMaterials()
     .filter((material) => !isUnused(material, document.getRoot()));
-  const putBack = [takeOutUnplaced(document), takeOutUnmoving(document)];
+  const putBack = [detachUnpositioned(document), detachRestingTargets(document)];
   if (!keepsNodes) putBack.push(followThickness(document));
   await document.transform(quantize({ pattern, patternTargets, quantizePosition: bits, cleanup: false }));
   for (const undo of putBack.reverse()) undo();
@@ -133,7 +133,7 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
 }
 
 /** Removes primitives without positions, which cannot be quantized, from their meshes; the returned function puts them back. */
-function takeOutUnplaced(document: Document): () => void {
+function detachUnpositioned(document: Document): () => void {
   const hasUnplaced = (mesh: Mesh) => mesh.listPrimitives().some((one) => !one.getAttribute('POSITION'));
   const taken = document.getRoot().listMeshes().filter(hasUnplaced);
   const whole = taken.map((mesh) => mesh.listPrimitives());

@@ -8,7 +8,7 @@ import { tangentGenerator } from '../shading/tangents';
 import { writeZip } from '../archive/write_zip';
 import { compress } from './compression';
 import type { Stored } from './compression';
-import type { Compression } from '../../core/output_words';
+import type { Compression } from '../../core/output_choices';
 import { gltfCompanions, writeGlb, writeGltf } from './gltf_files';
 import { insertLevels } from './level_nodes';
 import type { MeshLevels } from './level_nodes';

@@ -8,7 +8,7 @@ import { glbParts, withJson } from '../glb';
 import { createGltfWriter, INDICES_MODE, MESHOPT, RATIFIED_MESHOPT, TRIANGLES_MODE } from '../gltf_io';
 import type { SourceFile } from '../model';
 import { renameExtension } from './compression';
-import { leaveOutEndless } from './endless_cameras';
+import { removeInfiniteFarPlanes } from './infinite_cameras';
 import { sortImages } from './image_order';
 import type { LevelNodes } from './level_nodes';
 import { addLevels } from './level_nodes';
@@ -52,15 +52,15 @@ export async function writeGlb(document: Document, additions: Additions): Promis
   textures.forEach((texture, i) => {
     if (copies.includes(texture))
       json.images![i].bufferView = json.images![textures.indexOf(firsts.get(texture)!)].bufferView;
-    else if (!texture.getImage()) nameMissing(json.images![i], texture);
+    else if (!texture.getImage()) keepAddress(json.images![i], texture);
   });
-  const isMended = [putTargetNames(json), leaveOutEndless(document, json)].includes(true);
+  const isMended = [putTargetNames(json), removeInfiniteFarPlanes(document, json)].includes(true);
   const isChanged = isMended || textures.some((texture) => !texture.getImage()) || hasAdditions(additions);
   return isChanged ? withJson(bytes, withAdditions(json, additions)) : bytes;
 }
 
 /** Restores the address of an image whose bytes were missing, so that it stays a reference. */
-function nameMissing(image: GLTF.IImage, texture: Texture): void {
+function keepAddress(image: GLTF.IImage, texture: Texture): void {
   if (texture.getURI() !== '') image.uri = texture.getURI();
 }
 
@@ -82,10 +82,10 @@ export async function writeGltf(
   textures.forEach((texture, i) => {
     const image = written.json.images![i];
     if (texture.getImage()) image.uri = addressOf(texture.getURI());
-    else nameMissing(image, texture);
+    else keepAddress(image, texture);
   });
   putTargetNames(written.json);
-  leaveOutEndless(document, written.json);
+  removeInfiniteFarPlanes(document, written.json);
   const json = withAdditions(written.json, additions);
   const text = new TextEncoder().encode(JSON.stringify(json));
   const companions = Object.entries(written.resources).map(([own, bytes]) => ({ name: own, bytes }));

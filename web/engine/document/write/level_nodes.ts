@@ -1,7 +1,7 @@
 /** Levels of detail inside one glTF: nodes by name, or the extension MSFT_lod. */
 
 import type { Document, GLTF, Mesh, Node } from '@gltf-transform/core';
-import type { LevelStyle } from '../../core/output_words';
+import type { LevelStyle } from '../../core/output_choices';
 import { INSTANCING } from '../placements';
 import { channelsOf, moreThanMesh, moveToChild } from './child_nodes';
 

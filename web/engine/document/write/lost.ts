@@ -9,7 +9,7 @@ import {
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
 import { counted, excerpt } from '../../core/words';
-import type { WrittenFormat } from '../../core/output_words';
+import type { WrittenFormat } from '../../core/output_choices';
 import type { OpenModel } from '../model';
 import { DRACO, MESHOPT } from '../gltf_io';
 import { INSTANCING } from '../placements';
@@ -20,7 +20,7 @@ import { uvSetOf, uvSetsOf } from './uv_set';
 const TRIANGLES = 4;
 
 /** Extensions that only change how data are stored: nothing is lost with them. */
-const STORING: readonly string[] = [
+const STORAGE_EXTENSIONS: readonly string[] = [
   DRACO,
   MESHOPT,
   ...[EXTTextureAVIF, EXTTextureWebP, KHRMeshQuantization, KHRTextureBasisu].map(
@@ -40,7 +40,11 @@ export function lostIn(
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length));
   const keepsMaterials = format === 'obj' && libraries.length > 0;
   const materials = keepsMaterials ? [] : root.listMaterials();
-  const carried = [...STORING, INSTANCING, ...(keepsMaterials ? [KHRTextureTransform.EXTENSION_NAME] : [])];
+  const carried = [
+    ...STORAGE_EXTENSIONS,
+    INSTANCING,
+    ...(keepsMaterials ? [KHRTextureTransform.EXTENSION_NAME] : []),
+  ];
   const count = (length: number, one: string, many?: string) =>
     length > 0 ? [counted(length, one, many)] : [];
   const nodes = new Set(shownNodes(document));
@@ -56,7 +60,9 @@ export function lostIn(
     ...count(root.listAnimations().length, 'animation'),
     ...count(root.listCameras().length, 'camera'),
     ...lostAttributes(format, root),
-    ...(format === 'ply' ? count(materials.length, 'material') : [...new Set(materials.flatMap(unsaid))]),
+    ...(format === 'ply'
+      ? count(materials.length, 'material')
+      : [...new Set(materials.flatMap(unsupportedTextures))]),
     ...(keepsMaterials ? outside.map((name) => `${excerpt(name)} (not in the folder of the input)`) : []),
     ...root
       .listExtensionsUsed()
@@ -126,7 +132,7 @@ function hasOpacity(primitive: Primitive): boolean {
 }
 
 /** Textures that MTL cannot express. */
-const unsaid = (material: Material): string[] => [
+const unsupportedTextures = (material: Material): string[] => [
   ...(material.getMetallicRoughnessTexture() ? ['metallic-roughness textures'] : []),
   ...(material.getOcclusionTexture() ? ['occlusion textures'] : []),
 ];

@@ -7,7 +7,7 @@ import type { FlatMesh, FlatPrimitive } from './flat_meshes';
 import { MaterialLibrary } from './obj_materials';
 import { imageFiles, imageNames } from './shared_images';
 import type { Companion } from './shared_images';
-import { sameValues, shortest, toSrgb } from './text_values';
+import { distinctTexts, shortest, toSrgb } from './text_values';
 
 /** Lines are joined in chunks, since the text of a large mesh could exceed the maximum length of a string. */
 const LINES_A_PIECE = 1 << 14;
@@ -35,7 +35,8 @@ export function writeObj(
   lines.addAll(named.map((library) => `mtllib ${library}`));
   const counts = { positions: 0, uvs: 0, normals: 0 };
   const names = new Set<string>();
-  for (const mesh of meshes) writeMesh(lines, mesh, { counts, materials, name: freeName(mesh.name, names) });
+  for (const mesh of meshes)
+    writeMesh(lines, mesh, { counts, materials, name: uniqueName(mesh.name, names) });
   const main = { name, bytes: lines.bytes() };
   if (!hasOwn) return [main, ...carried.filter((file) => file.name !== name)];
   const library = { name: `${stem}.mtl`, bytes: new TextEncoder().encode(materials.text(mark)) };
@@ -85,7 +86,7 @@ class TextPieces {
 }
 
 /** A unique name: readers merge objects with equal names, so that a second one gets a number. */
-function freeName(name: string, taken: Set<string>): string {
+function uniqueName(name: string, taken: Set<string>): string {
   const plain = name.replaceAll(/[\r\n]+/g, ' ').trim() || 'mesh';
   let free = plain;
   for (let number = 2; taken.has(free); ++number) free = `${plain} ${number}`;
@@ -108,13 +109,13 @@ function writeMesh(
   lines.add(`o ${name}`);
   const hasColours = primitives.every(({ colours }) => colours !== null);
   const vertices = primitives.map((primitive) => vertexLines(primitive, hasColours));
-  const shared = sameValues(vertices.flat());
+  const shared = distinctTexts(vertices.flat());
   lines.addAll(shared.values);
   let first = 0;
   primitives.forEach((primitive, i) => {
     const { material, triangles } = primitive;
-    const uvs = sameValues(uvLines(primitive));
-    const normals = sameValues(normalLines(primitive));
+    const uvs = distinctTexts(uvLines(primitive));
+    const normals = distinctTexts(normalLines(primitive));
     lines.addAll(uvs.values);
     lines.addAll(normals.values);
     // In OBJ a material applies to all faces until the next one is named.

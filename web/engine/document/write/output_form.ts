@@ -1,8 +1,8 @@
 /** The format in which a result is written, by the name of its file. */
 
 import type { Format } from '../model';
-import { WRITTEN_FORMATS } from '../../core/output_words';
-import type { Compression, FormatChoice, LevelStyle, WrittenFormat } from '../../core/output_words';
+import { WRITTEN_FORMATS } from '../../core/output_choices';
+import type { Compression, FormatChoice, LevelStyle, WrittenFormat } from '../../core/output_choices';
 
 export interface OutputForm {
   format: WrittenFormat;

@@ -40,7 +40,7 @@ function toIntegers(accessor: Accessor, bits: number): Accessor {
 }
 
 /** Removes targets without displacement, which cannot be quantized with others, from their primitives; the returned function puts them back. */
-export function takeOutUnmoving(document: Document): () => void {
+export function detachRestingTargets(document: Document): () => void {
   const primitives = document
     .getRoot()
     .listMeshes()

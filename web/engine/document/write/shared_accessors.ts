@@ -36,7 +36,7 @@ export function rememberShared(document: Document): (replaced: ReadonlySet<Primi
         groups.set(key, group);
         const equal = group.find((other) => haveEqualBytes(other, use.accessor));
         if (!equal) group.push(use.accessor);
-        else if (equal !== use.accessor) putInstead(document, use, equal);
+        else if (equal !== use.accessor) replaceAccessor(document, use, equal);
       }
   };
 }
@@ -75,7 +75,7 @@ function haveEqualBytes(a: Accessor, b: Accessor): boolean {
   return a === b || own.every((byte, i) => byte === others[i]);
 }
 
-function putInstead(document: Document, { accessor, put }: Use, equal: Accessor): void {
+function replaceAccessor(document: Document, { accessor, put }: Use, equal: Accessor): void {
   put(equal);
   if (accessor.listParents().every((parent) => parent === document.getRoot())) accessor.dispose();
 }

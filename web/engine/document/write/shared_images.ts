@@ -35,7 +35,7 @@ export function imageNames(document: Document, stem: string): Map<Texture, strin
   const taken = new Set<string>();
   for (const [texture, first] of firstWithBytes(document)) {
     const known = names.get(first);
-    const name = known ?? freeName(texture, stem, taken);
+    const name = known ?? uniqueName(texture, stem, taken);
     taken.add(name.toLowerCase());
     names.set(texture, name);
   }
@@ -56,7 +56,7 @@ export function imageFiles(document: Document, stem: string): Companion[] {
   return [...files].map(([name, bytes]) => ({ name, bytes }));
 }
 
-function freeName(texture: Texture, stem: string, taken: Set<string>): string {
+function uniqueName(texture: Texture, stem: string, taken: Set<string>): string {
   const own = texture.getURI() === '' ? null : companionPath('', texture.getURI());
   if (own !== null && !taken.has(own.toLowerCase())) return own;
   const ending = ImageUtils.mimeTypeToExtension(texture.getMimeType()) || 'bin';

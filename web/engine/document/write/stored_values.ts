@@ -22,7 +22,7 @@ function gridOf(old: Accessor): Grid | null {
 }
 
 /** Whether all values, rounded to the steps of an accessor, are in the range of its component type. */
-function fitsStored(values: Float32Array, old: Accessor): boolean {
+function fitsStoredType(values: Float32Array, old: Accessor): boolean {
   const grid = gridOf(old);
   if (!grid) return true;
   const { scale, least, most } = grid;
@@ -33,10 +33,10 @@ function fitsStored(values: Float32Array, old: Accessor): boolean {
 }
 
 /**
- * Gives the floats of an accessor the component type of `old`: rounded to its steps and kept in its range. What `fitsStored` differs
+ * Gives the floats of an accessor the component type of `old`: rounded to its steps and kept in its range. What `fitsStoredType` differs
  * from the float by half a step of the input's own grid at most.
  */
-export function likeStored(accessor: Accessor, old: Accessor): Accessor {
+export function withStoredType(accessor: Accessor, old: Accessor): Accessor {
   const grid = gridOf(old);
   if (!grid) return accessor;
   const { scale, least, most } = grid;
@@ -51,11 +51,11 @@ export function likeStored(accessor: Accessor, old: Accessor): Accessor {
  * Which attributes of a mesh stay integers. Positions of all its primitives do or none, so that these meet where they met before.
  * `before`: the positions that the primitives had.
  */
-export function storedAgain(
+export function staysStored(
   keepsStored: boolean,
   positions: Float32Array,
   before: Accessor[],
 ): (semantic: string) => boolean {
-  const fits = before.every((old) => fitsStored(positions, old));
+  const fits = before.every((old) => fitsStoredType(positions, old));
   return (semantic) => keepsStored && (fits || semantic !== 'POSITION');
 }

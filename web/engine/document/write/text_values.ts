@@ -17,7 +17,7 @@ export function toSrgb(linear: number): number {
 }
 
 /** The distinct texts in the order of their first use, and per text its number among them. */
-export function sameValues(texts: string[]): { values: string[]; indices: Uint32Array } {
+export function distinctTexts(texts: string[]): { values: string[]; indices: Uint32Array } {
   const numbers = new Map<string, number>();
   const indices = Uint32Array.from(texts, (text) => {
     const known = numbers.get(text);

@@ -30,7 +30,7 @@ export function followThickness(document: Document): () => void {
     .listMeshes()
     .filter((mesh) => mesh.listPrimitives().some((primitive) => materialsOf(primitive).some(isThick)));
   const putAll = thick.map((mesh) => {
-    const putBack = takeOutThick(mesh);
+    const putBack = detachThickMaterials(mesh);
     const endProbe = addProbe(document, mesh);
     return () => {
       const scale = endProbe();
@@ -46,7 +46,7 @@ export function followThickness(document: Document): () => void {
 }
 
 /** Removes thick materials from the primitives; the returned function puts them back. */
-function takeOutThick(mesh: Mesh): () => void {
+function detachThickMaterials(mesh: Mesh): () => void {
   const taken = mesh.listPrimitives().flatMap((primitive) => {
     const material = primitive.getMaterial();
     return isThick(material) ? [{ primitive, material }] : [];

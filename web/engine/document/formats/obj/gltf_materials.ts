@@ -37,16 +37,16 @@ export const hasMaps = ({ material }: FoundMaterial): boolean =>
 const NORMAL_NAME = /normal|(^|[^a-z])(norm|nrm|nor)([^a-z]|$)|_n$/i;
 
 /** A texture that was found, and how it is mapped to the surface. */
-interface Shown {
+interface FoundMap {
   texture: Texture;
   map: MtlMap;
 }
 
 /** Looks for the picture of a use. */
-type Find = (use: MapUse) => Shown | null;
+type Find = (use: MapUse) => FoundMap | null;
 
-/** Gives a plain material its look. `hasUvs`: those of its surface, which textures need. */
-export function dress(
+/** Sets the properties of a plain material from MTL. `hasUvs`: whether its surface has UVs, which textures need. */
+export function applyMtl(
   material: Material,
   { material: mtl, library }: FoundMaterial,
   { hasUvs, ...context }: { pictures: Pictures; leftOut: LeftOut; hasUvs: boolean },
@@ -56,10 +56,10 @@ export function dress(
     const texture = map && context.pictures.textureOf(library, map.name);
     return texture ? { texture, map } : null;
   };
-  dressColour(material, mtl, { find, ...context });
-  dressSurface(material, mtl, { find, ...context });
-  dressEmission(material, mtl, { find, ...context });
-  dressNormals(material, { find, ...context });
+  setBaseColour(material, mtl, { find, ...context });
+  setMetallicRoughness(material, mtl, { find, ...context });
+  setEmission(material, mtl, { find, ...context });
+  setNormalMap(material, { find, ...context });
 }
 
 const mapOf = (mtl: MtlMaterial, use: MapUse): MtlMap | null =>
@@ -71,7 +71,7 @@ interface Context {
   leftOut: LeftOut;
 }
 
-function dressColour(material: Material, mtl: MtlMaterial, { find, pictures, leftOut }: Context): void {
+function setBaseColour(material: Material, mtl: MtlMaterial, { find, pictures, leftOut }: Context): void {
   const colour = find('colour');
   const [red, green, blue] = tintOf(mtl.colours.get('kd') ?? WHITE, colour !== null);
   const alpha = opacityOf(mtl);
@@ -100,7 +100,11 @@ function opacityOf({ numbers }: MtlMaterial): number {
 
 const toUnit = (value: number): number => Math.min(1, Math.max(0, value));
 
-function dressSurface(material: Material, mtl: MtlMaterial, { find, pictures, leftOut }: Context): void {
+function setMetallicRoughness(
+  material: Material,
+  mtl: MtlMaterial,
+  { find, pictures, leftOut }: Context,
+): void {
   const [roughness, metalness] = [find('roughness'), find('metalness')];
   const metallic = toUnit(mtl.numbers.get('pm') ?? 0);
   const isPacked = roughness !== null && roughness.texture === metalness?.texture;
@@ -126,7 +130,7 @@ function roughnessOf({ numbers, colours }: MtlMaterial): number {
 }
 
 /** Emission above 1 is scaled down, which keeps its hue. */
-function dressEmission(material: Material, { colours }: MtlMaterial, { find, pictures }: Context): void {
+function setEmission(material: Material, { colours }: MtlMaterial, { find, pictures }: Context): void {
   const shown = find('emission');
   const own = colours.get('ke') ?? [0, 0, 0];
   const colour = shown && own.every((value) => value === 0) ? WHITE : own;
@@ -137,7 +141,7 @@ function dressEmission(material: Material, { colours }: MtlMaterial, { find, pic
   pictures.lay(material.getEmissiveTextureInfo()!, shown.map);
 }
 
-function dressNormals(material: Material, context: Context): void {
+function setNormalMap(material: Material, context: Context): void {
   const shown = context.find('normals') ?? normalsAmongBumps(context);
   if (!shown) return;
   material.setNormalTexture(shown.texture).setNormalScale(shown.map.strength);
@@ -145,7 +149,7 @@ function dressNormals(material: Material, context: Context): void {
 }
 
 /** A bump map whose name says that it is a normal map. */
-function normalsAmongBumps({ find, leftOut }: Context): Shown | null {
+function normalsAmongBumps({ find, leftOut }: Context): FoundMap | null {
   const shown = find('bumps');
   if (!shown) return null;
   const stem = shown.map.name.replace(/^.*\//, '').replace(/\.[^.]*$/, '');

@@ -14,7 +14,7 @@ export interface FoundMaterial {
   library: string;
 }
 
-interface Asked {
+interface MaterialRequest {
   /** the name of the OBJ */
   main: string;
   /** what follows each `mtllib` */
@@ -29,7 +29,7 @@ interface Asked {
  * it has materials and no statement names it.
  */
 export function findMaterials(
-  { main, statements, used }: Asked,
+  { main, statements, used }: MaterialRequest,
   files: NamedFiles,
   leftOut: LeftOut,
 ): { found: Map<string, FoundMaterial>; unnamed: string | null } {

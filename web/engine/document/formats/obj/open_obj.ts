@@ -6,7 +6,7 @@ import { readObj } from '../../obj';
 import { modelOfSurfaces, plainMaterial } from '../../surface';
 import type { MaterialMaker, SurfaceFile } from '../../surface';
 import { carriedFiles } from './carried';
-import { dress, hasMaps } from './gltf_materials';
+import { applyMtl, hasMaps } from './gltf_materials';
 import { LeftOut } from './left_out';
 import { findMaterials } from './libraries';
 import type { FoundMaterial } from './libraries';
@@ -21,7 +21,7 @@ export function openObj(file: SourceFile, files: SourceFile[]): OpenModel {
   const asked = { main: file.name, statements, used: usedMaterials(surfaces) };
   const { found, unnamed } = findMaterials(asked, named, leftOut);
   const model = modelOfSurfaces(file.name, 'obj', surfaces, (document) =>
-    dressedMaker(document, found, { pictures: new Pictures(document, file.name, named, leftOut), leftOut }),
+    materialMaker(document, found, { pictures: new Pictures(document, file.name, named, leftOut), leftOut }),
   );
   const libraries = unnamed !== null && statements.length > 0 ? [...statements, unnamed] : statements;
   const { files: carried, outside } = carriedFiles(file.name, libraries, named);
@@ -35,7 +35,7 @@ export function openObj(file: SourceFile, files: SourceFile[]): OpenModel {
 }
 
 /** A material with textures is another one where the surface has no UVs. */
-function dressedMaker(
+function materialMaker(
   document: Document,
   found: Map<string, FoundMaterial>,
   context: { pictures: Pictures; leftOut: LeftOut },
@@ -47,7 +47,7 @@ function dressedMaker(
     const key = `${isTextured ? 'textured' : 'plain'} ${name}`;
     if (!made.has(key)) {
       const material = plainMaterial(document, name);
-      if (known) dress(material, known, { ...context, hasUvs });
+      if (known) applyMtl(material, known, { ...context, hasUvs });
       made.set(key, material);
     }
     return made.get(key)!;

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { attributesOf } from '../../web/engine/body/attributes';
-import { AlikeMembers, mixed } from '../../web/engine/core/alike';
+import { DistinctMembers, extendHash } from '../../web/engine/core/distinct_members';
 import { NONE } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
 import { geometryOf } from '../../web/engine/document/vertices';
@@ -11,11 +11,11 @@ import { addMesh, floats, glbFile, startDocument } from './support/gltf';
 
 it('members of long groups are found as those of short ones, and looked at rarely', () => {
   const values: number[] = [];
-  const members = new AlikeMembers((one) => mixed(0, values[one]));
+  const members = new DistinctMembers((one) => extendHash(0, values[one]));
   let looks = 0;
   const find = (group: number, value: number) => {
     const isSame = (one: number) => ++looks > 0 && values[one] === value;
-    return members.find(group, isSame, () => mixed(0, value));
+    return members.find(group, isSame, () => extendHash(0, value));
   };
   for (let value = 0; value < 20_000; ++value) {
     expect(find(value % 2, value)).toBe(NONE);

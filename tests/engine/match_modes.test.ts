@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { likeModes } from '../../web/engine/core/like_modes';
+import { matchModes } from '../../web/engine/core/match_modes';
 
 /** Modes as rows of displacements. */
 const set = (...rows: number[][]) => ({
@@ -11,15 +11,15 @@ const before = set([1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 1]);
 
 test('a mode is found again at another place, with another sign and size', () => {
   const after = set([0, 0, 2, 0, 0, 2], [-1, 0, 0, 0, 0, 0], [0, 0.9, 0.1, 0, 0, 0]);
-  expect(likeModes(before, after, [1, 2, 3])).toEqual([2, 3, 1]);
+  expect(matchModes(before, after, [1, 2, 3])).toEqual([2, 3, 1]);
 });
 
 test('a motion that is gone has no likeness, and no mode stands for two', () => {
   const after = set([0, 0, 0, 1, 0, 0], [1, 0.9, 0, 0, 0, 0]);
-  expect(likeModes(before, after, [3])).toEqual([null]);
-  expect(likeModes(before, after, [1, 2])).toEqual([2, null]);
+  expect(matchModes(before, after, [3])).toEqual([null]);
+  expect(matchModes(before, after, [1, 2])).toEqual([2, null]);
 });
 
 test('modes of the same solution are themselves', () => {
-  expect(likeModes(before, before, [2, 3])).toEqual([2, 3]);
+  expect(matchModes(before, before, [2, 3])).toEqual([2, 3]);
 });

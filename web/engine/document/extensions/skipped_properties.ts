@@ -10,7 +10,7 @@ const VARIANTS = KHRMaterialsVariants.EXTENSION_NAME;
 type Named = Pick<GLTF.IChildRootProperty, 'name' | 'extras'>;
 
 /** Gives a document the version that its file needs, extras of variants, and names and extras of their materials. */
-export function addPassedOver(document: Document, json: GLTF.IGLTF): void {
+export function restoreSkippedProperties(document: Document, json: GLTF.IGLTF): void {
   const root = document.getRoot();
   const { minVersion } = json.asset;
   if (minVersion) root.getAsset().minVersion = minVersion;

@@ -11,7 +11,7 @@ export interface LastMembers {
   set(group: number, member: number): unknown;
 }
 
-export class AlikeMembers {
+export class DistinctMembers {
   private readonly previous: number[] = [];
   /** the members of long groups by their hashes */
   private readonly hashed = new Map<number, Map<number, number[]>>();
@@ -61,7 +61,7 @@ const number = new Float64Array(1);
 const words = new Uint32Array(number.buffer);
 
 /** Extends a hash by one more number; 0 and -0 give the same hash. */
-export function mixed(hash: number, value: number): number {
+export function extendHash(hash: number, value: number): number {
   number[0] = value + 0;
   const low = Math.imul(hash ^ words[0], 0x85ebca6b);
   const high = Math.imul(low ^ (low >>> 15) ^ words[1], 0xc2b2ae35);

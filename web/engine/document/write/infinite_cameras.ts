@@ -3,7 +3,7 @@
 import type { Document, GLTF } from '@gltf-transform/core';
 
 /** Sets the far plane of cameras that have none in the file to infinity, which copies of the document keep. */
-export function markEndless(document: Document, { cameras = [] }: GLTF.IGLTF): void {
+export function setInfiniteFarPlanes(document: Document, { cameras = [] }: GLTF.IGLTF): void {
   const read = document.getRoot().listCameras();
   cameras.forEach(({ perspective }, i) => {
     if (perspective && perspective.zfar === undefined) read[i].setZFar(Infinity);
@@ -14,7 +14,7 @@ export function markEndless(document: Document, { cameras = [] }: GLTF.IGLTF): v
  * Removes infinite far planes, which JSON cannot express, from the JSON that was written for the document. Returns whether there was
  * any.
  */
-export function leaveOutEndless(document: Document, json: GLTF.IGLTF): boolean {
+export function removeInfiniteFarPlanes(document: Document, json: GLTF.IGLTF): boolean {
   const areEndless = document
     .getRoot()
     .listCameras()
