@@ -13,7 +13,7 @@ import { METHODS } from '../../web/engine/core/methods';
 import { PHASES } from '../../web/engine/core/interface/job';
 import { SCENARIOS } from '../../web/engine/core/scenarios';
 import { MATERIAL_NAMES } from '../../web/engine/settings/materials';
-import { STANDING_ENDS } from '../../web/engine/motion/scene_rotation';
+import { SCENE_ENDS } from '../../web/engine/motion/scene_rotation';
 import { OPTIONS } from '../../web/engine/settings/options';
 import type { SettingName } from '../../web/engine/settings/options';
 import { PRESETS, PRESET_NAMES, settingsOfPreset } from '../../web/engine/settings/presets';
@@ -108,7 +108,7 @@ function engineWords(): string[] {
     ...budgetTable([], { model: '', faces: 0, originalFaces: 0 }).columns.map(({ title }) => title),
     ...['kept', 'changed'],
     ...SCENARIOS.flatMap(({ label, sentence: what }) => [label, what]),
-    ...STANDING_ENDS.flatMap(({ low, high }) => [low, high]),
+    ...SCENE_ENDS.flatMap(({ low, high }) => [low, high]),
     ...SOLVER_NAMES.map(profileOf).flatMap(({ label, words, parameters }) => [
       label,
       words,

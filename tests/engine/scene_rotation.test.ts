@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { STANDING_ENDS, endNames, rotated, rotationOf } from '../../web/engine/motion/scene_rotation';
+import { SCENE_ENDS, endNames, rotated, rotationOf } from '../../web/engine/motion/scene_rotation';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 /** Turns by -90 degrees about x, as exporters do where z is up: z becomes y. */
@@ -40,7 +40,7 @@ test('a matrix without extent has no rotation', () => {
 });
 
 test('ends of what stands are called as those of a mesh that no node turns', () => {
-  STANDING_ENDS.forEach(({ low, high }, axis) => {
+  SCENE_ENDS.forEach(({ low, high }, axis) => {
     const subject = (name: string) => `The ${name.toLowerCase()}`;
     const { low: first, high: last } = endNames(IDENTITY, axis);
     expect({ low, high }).toEqual({ low: subject(first), high: subject(last) });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { OPTIONS, defaultSettings } from '../../web/engine/settings/options';
 import type { OptionSpec, Settings } from '../../web/engine/settings/options';
-import { changedSettings, describeFormerWords, readSetting } from '../../web/engine/settings/setting_text';
+import { changedSettings, describeRenamedChoices, readSetting } from '../../web/engine/settings/setting_text';
 
 /** An allowed value other than the default. */
 function another(key: keyof Settings): unknown {
@@ -55,7 +55,7 @@ describe('settings as text', () => {
     expect(readSetting(OPTIONS.fit, 'on')).toBe('modal');
     expect(readSetting(OPTIONS.symmetry, 'on')).toBe('on');
     const texts: Record<string, string> = { fit: 'on', symmetry: 'on' };
-    expect(describeFormerWords(['fit', 'symmetry'], (flag) => texts[flag])).toEqual([
+    expect(describeRenamedChoices(['fit', 'symmetry'], (flag) => texts[flag])).toEqual([
       [{ setting: 'fit' }, ' on of earlier versions is now modal (default: surface)'],
     ]);
   });

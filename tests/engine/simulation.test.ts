@@ -3,12 +3,12 @@ import type { Collider, Core, SimulationOptions, TriangleMesh } from '../../web/
 import { SCENARIO_NAMES } from '../../web/engine/core/scenarios';
 import type { ScenarioName } from '../../web/engine/core/scenarios';
 import { defaultSettings, OPTIONS } from '../../web/engine/settings/options';
-import { ownModelOf } from '../../web/engine/motion/own_model';
+import { defaultModelOf } from '../../web/engine/motion/default_model';
 import { SimulatedBodies } from '../../web/engine/motion/simulated_bodies';
 import {
   calibrationOf,
   simulationOptions,
-  solversAsTheyAre,
+  untouchedSolversOf,
   STEP_SECONDS,
 } from '../../web/engine/motion/simulation';
 import { materialOf } from '../../web/engine/body/material';
@@ -228,12 +228,12 @@ describe('a solver of the panel', () => {
   const [original, result] = [arch(sheet), arch(coarse)];
   const inSolver = (solver: (typeof SOLVER_NAMES)[number], massRule: 'auto' | 'vertex' = 'auto') => {
     const size = prepareBody(core, bodyOf(original), settings);
-    return solversAsTheyAre(size, { original, result }, { ...settings, solver, massRule })!;
+    return untouchedSolversOf(size, { original, result }, { ...settings, solver, massRule })!;
   };
 
   it('is none where none is asked for', () => {
     const size = prepareBody(core, bodyOf(original), settings);
-    expect(solversAsTheyAre(size, { original, result }, settings)).toBeNull();
+    expect(untouchedSolversOf(size, { original, result }, settings)).toBeNull();
   });
 
   it.each(SOLVER_NAMES)('moves original and result: %s', (name) => {
@@ -291,7 +291,8 @@ describe('a solver of the panel', () => {
 describe('what a body moves as by itself', () => {
   const closed = box(2, 2, 2);
   const open = grid(3, 3);
-  const modelOf = (mesh: TriangleMesh) => ownModelOf(prepareBody(core, bodyOf(mesh), settings).inspection);
+  const modelOf = (mesh: TriangleMesh) =>
+    defaultModelOf(prepareBody(core, bodyOf(mesh), settings).inspection);
 
   it.each([
     ['a closed body', closed, 'solid'],

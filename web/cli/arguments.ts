@@ -8,7 +8,7 @@ import type { Note, Settings } from '../engine/settings/options';
 import { PRESET_NAMES, settingsOfPreset } from '../engine/settings/presets';
 import type { PresetName } from '../engine/settings/presets';
 import { readNumber } from '../engine/settings/kinds';
-import { describeFormerWords, readSettings } from '../engine/settings/setting_text';
+import { describeRenamedChoices, readSettings } from '../engine/settings/setting_text';
 import { FACE_COUNT, FACE_SHARE } from '../engine/settings/targets';
 import type { ValueRule } from '../engine/settings/targets';
 import { SOLVER_NAMES } from '../engine/solvers/profiles';
@@ -86,7 +86,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     command,
     operands,
     settings,
-    formerWords: describeFormerWords(settingsOf(engineCommand(command)), (flag) => values.get(flag)),
+    formerWords: describeRenamedChoices(settingsOf(engineCommand(command)), (flag) => values.get(flag)),
     faces: readTarget(values, 'faces', FACE_COUNT),
     ratio: readTarget(values, 'ratio', FACE_SHARE),
     fields: values.has('fields'),

@@ -10,9 +10,9 @@ import type { PinnedVertices } from '../engine/body/pins';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import type { OpenModel } from '../engine/document/open';
 import { startStopwatch } from '../engine/core/stopwatch';
-import { askedMotion, checkBesideTuning, solversOf } from '../engine/stages/asked_motion';
+import { checkBesideTuning, motionModel, solversOf } from '../engine/stages/simulated_solvers';
 import { describeConvergence } from '../engine/motion/convergence';
-import { describePinTrouble, pinTrouble } from '../engine/motion/still_pins';
+import { describePinProblem, findPinProblem } from '../engine/motion/pin_problems';
 import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
 import { meshReport } from '../engine/report/mesh_report';
 import { calibrationReport, simulationReport, worstMotion } from '../engine/report/motion_report';
@@ -59,7 +59,7 @@ export async function runSimulate(args: Arguments): Promise<number> {
     save(session, args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
   const report = startReport(session.core, 'simulate', settingsAsUsed('simulate', args.settings), originals);
   if (others) report.output = meshReport(others);
-  report.simulation = simulationReport(motions, askedMotion(args.settings, carried.tuning, others !== null));
+  report.simulation = simulationReport(motions, motionModel(args.settings, carried.tuning, others !== null));
   if (factors) report.calibration = calibrationReport(originals, factors);
   report.timings = {
     load,
@@ -152,9 +152,9 @@ export function setUpMotions(
   return file.usable.map(({ run }, i) => {
     const original = originals[i];
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
-    const trouble = pinTrouble(settings.scenario, original.mesh, pinned);
+    const trouble = findPinProblem(settings.scenario, original.mesh, pinned);
     if (trouble) {
-      const told = describePinTrouble(trouble, settings.scenario, flagText);
+      const told = describePinProblem(trouble, settings.scenario, flagText);
       session.warnings.push(ofBody(original.body.name, told, originals.length > 1));
     }
     const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;

@@ -11,7 +11,7 @@ import { describeTuning, solverReport } from '../engine/report/solver_report';
 import type { SolverName } from '../engine/solvers/profiles';
 import type { TunedBody } from '../engine/solvers/tuned_body';
 import { STAGES } from '../engine/stages/stages';
-import { ofBodyNamed, settledBody, tuneMesh, tuneSettings } from '../engine/stages/tune';
+import { withBodyName, tunedEntry, tuneMesh, tuneSettings } from '../engine/stages/tune';
 import type { Arguments } from './arguments';
 import { preparePairs } from './compare';
 import type { Pairs } from './compare';
@@ -36,7 +36,7 @@ export async function runTune(args: Arguments): Promise<number> {
   const weld = stopwatch();
   const tuned = tuneFile(session, pairs);
   const tune = stopwatch();
-  const bodies = others.map((other, i) => settledBody(other, tuned[i]));
+  const bodies = others.map((other, i) => tunedEntry(other, tuned[i]));
   save(session, path, writeSettings(settingsFile(bodies, args.settings)));
   const found = solverReport(tuned);
   const report = {
@@ -71,7 +71,7 @@ function tuneFile({ core, args }: Session, { file, others }: Pairs): TunedBody[]
     const { mesh } = others[i];
     const pinnedOriginal = run.get(STAGES.pinned, args.settings);
     const pinned = core.carryPins(prepared.mesh, pinnedOriginal, mesh);
-    return ofBodyNamed(prepared.body, file.usable.length > 1, () =>
+    return withBodyName(prepared.body, file.usable.length > 1, () =>
       tuneMesh(core, prepared, { mesh, pinned, pinnedOriginal }, settings),
     );
   });

@@ -2,7 +2,7 @@
 
 import { computed } from '@preact/signals';
 import { boundsOf, longestAxis } from '../../engine/core/mesh';
-import { STANDING_ENDS, endNames, rotated, rotationOf } from '../../engine/motion/scene_rotation';
+import { SCENE_ENDS, endNames, rotated, rotationOf } from '../../engine/motion/scene_rotation';
 import type { EndNames } from '../../engine/motion/scene_rotation';
 import { results, wants } from './store';
 
@@ -21,5 +21,5 @@ export const pinEnds = computed<EndNames | null>(
 export const scenarioEnds = computed<EndNames | null>(() => {
   if (!shown.value) return null;
   const { nodeMatrix, positions } = shown.value;
-  return STANDING_ENDS[longestAxis(boundsOf(rotated(positions, rotationOf(nodeMatrix))))];
+  return SCENE_ENDS[longestAxis(boundsOf(rotated(positions, rotationOf(nodeMatrix))))];
 });

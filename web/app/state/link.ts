@@ -10,7 +10,7 @@ import {
   wordSentence,
 } from '../../engine/settings/options';
 import type { SettingName, Settings } from '../../engine/settings/options';
-import { changedSettings, describeFormerWords, readSettings } from '../../engine/settings/setting_text';
+import { changedSettings, describeRenamedChoices, readSettings } from '../../engine/settings/setting_text';
 import { say } from '../language/say';
 import { ownFacesText, readOwnFaces } from './own_faces';
 import type { OwnFaces } from './own_faces';
@@ -53,7 +53,7 @@ export function writeLink({ settings, faces, own, body, file }: Wanted): string 
 /** What is to be said of words of earlier versions in a link; '' for nothing. */
 export function describeFormerLink(text: string): string {
   const words = new URLSearchParams(text.replace(/^#/, ''));
-  const notes = describeFormerWords(SETTING_NAMES, (flag) => words.get(flag));
+  const notes = describeRenamedChoices(SETTING_NAMES, (flag) => words.get(flag));
   return notes.map((note) => wordNote(note, (name) => OPTIONS[name].label)).join('; ');
 }
 

@@ -6,8 +6,8 @@ import type { Remote } from 'comlink';
 import type { MeshAt, SurfacePoint } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
-import { pinTrouble } from '../../engine/motion/still_pins';
-import type { PinTrouble } from '../../engine/motion/still_pins';
+import { findPinProblem } from '../../engine/motion/pin_problems';
+import type { PinProblem } from '../../engine/motion/pin_problems';
 import { topCorners } from '../../engine/motion/top_corners';
 import { rotated, rotationOf } from '../../engine/motion/scene_rotation';
 import type { SceneRotation } from '../../engine/motion/scene_rotation';
@@ -142,12 +142,12 @@ function pinnedVertices(): Uint32Array | null {
 }
 
 /** What is wrong with the held vertices in the scenario; null where nothing is. */
-export const troubleOfPins = computed((): PinTrouble | null => {
+export const troubleOfPins = computed((): PinProblem | null => {
   const { value: body } = results.body;
   const pinned = pinnedVertices();
   if (!body || !pinned || !results.file.value) return null;
   const mesh = { ...body.mesh, positions: rotated(body.mesh.positions, shownRotation()) };
-  return pinTrouble(wants.settings.value.scenario, mesh, pinned);
+  return findPinProblem(wants.settings.value.scenario, mesh, pinned);
 });
 
 /** What both bodies are started with, now. */

@@ -2,8 +2,8 @@
 
 import { computed, signal } from '@preact/signals';
 import type { CollisionScene } from '../../engine/core/core';
-import { ownModelOf } from '../../engine/motion/own_model';
-import type { OwnModel } from '../../engine/motion/own_model';
+import { defaultModelOf } from '../../engine/motion/default_model';
+import type { DefaultModel } from '../../engine/motion/default_model';
 import type { TwinSample } from '../../engine/motion/twin';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { TwinFrame } from '../worker/simulation_protocol';
@@ -63,9 +63,9 @@ export const usedTuning = computed<TunedBody | null>(() => {
 });
 
 /** What the shown body can move as without a solver of the panel. */
-export const ownModel = computed<OwnModel>(() => {
+export const ownModel = computed<DefaultModel>(() => {
   const { value: body } = results.body;
-  return body ? ownModelOf(body.inspection) : 'solid';
+  return body ? defaultModelOf(body.inspection) : 'solid';
 });
 
 /** Whether original and result have an inside: cells of the same size in both. A calibrated body is a shell. */

@@ -1,7 +1,7 @@
 /** What a setup of the Test step asks of both bodies, for their motion and for its check. */
 
 import type { Core, SimulatedSolver, SimulationOptions } from '../../engine/core/core';
-import { calibrationOf, simulationOptions, solversAsTheyAre } from '../../engine/motion/simulation';
+import { calibrationOf, simulationOptions, untouchedSolversOf } from '../../engine/motion/simulation';
 import { tunedSolvers } from '../../engine/solvers/solver_pair';
 import type { TwinSetup } from './simulation_protocol';
 
@@ -9,7 +9,7 @@ export function twinOptions(setup: TwinSetup): SimulationOptions & { otherSolver
   const { original, result, size, settings, pinned, tuned } = setup;
   const solvers = tuned
     ? tunedSolvers(tuned)
-    : solversAsTheyAre(size, { original, result: result.mesh }, settings);
+    : untouchedSolversOf(size, { original, result: result.mesh }, settings);
   return {
     ...simulationOptions(size, settings, pinned),
     solver: solvers?.original ?? null,

@@ -20,7 +20,7 @@ import type { Settings } from '../../engine/settings/options';
 import type { BodyRun } from '../../engine/stages/body_run';
 import { FileRun } from '../../engine/stages/file_run';
 import { requestFile, shareFaces } from '../../engine/stages/budget/file_targets';
-import type { FileAsked } from '../../engine/stages/budget/file_targets';
+import type { RequestedFile } from '../../engine/stages/budget/file_targets';
 import { resultAtBudget } from '../../engine/stages/equal_budget/equal_budget';
 import { FileOutput } from '../../engine/stages/file_output';
 import type { WorkSpan } from '../../engine/stages/many_bodies/file_progress';
@@ -106,7 +106,7 @@ async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
 }
 
 /** What the page asks of the file: as the command line does. */
-const askedOf = (settings: Settings, { faces, own, ratio }: KeptFaces, fields: boolean): FileAsked => ({
+const askedOf = (settings: Settings, { faces, own, ratio }: KeptFaces, fields: boolean): RequestedFile => ({
   settings,
   fields,
   faces,

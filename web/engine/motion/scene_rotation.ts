@@ -65,7 +65,7 @@ export function endNames(nodeMatrix: readonly number[], axis: number): EndNames 
 }
 
 /** Names of the ends along each axis of the scene, as subjects of sentences. */
-export const STANDING_ENDS: readonly EndNames[] = [
+export const SCENE_ENDS: readonly EndNames[] = [
   { low: 'The left end', high: 'The right end' },
   { low: 'The bottom', high: 'The top' },
   { low: 'The back end', high: 'The front end' },

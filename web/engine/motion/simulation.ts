@@ -51,7 +51,7 @@ export function simulationOptions(
  * The solver of the settings on original and result, with the same numbers typed in for both; null where no
  * solver is chosen. Throws SettingError where the solver lacks a given parameter.
  */
-export function solversAsTheyAre(
+export function untouchedSolversOf(
   size: BodySize,
   meshes: { original: TriangleMesh; result: TriangleMesh },
   settings: Settings,

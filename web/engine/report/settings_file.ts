@@ -94,7 +94,7 @@ export interface SettingsFile {
 }
 
 /** A tuned body of a written file. */
-export interface SettledBody {
+export interface TunedEntry {
   name: string;
   level: number;
   /** see BodySettings */
@@ -107,7 +107,7 @@ export interface SettledBody {
 
 /** The content of the file; `bodies` are those of the first level, then those of the others; there must be at least one. */
 export function settingsFile(
-  bodies: SettledBody[],
+  bodies: TunedEntry[],
   settings: EngineMaterial & Pick<Settings, 'engine'>,
 ): SettingsFile {
   const { young, poisson, density, thickness, bendRatio } = settings;
@@ -147,8 +147,8 @@ const tunedError = ({ tuned }: TunedBody): number =>
 const motionOf = ({ tuned: { motion } }: TunedBody): { motion?: TunedMotion } =>
   motion ? { motion: shortened(motion) } : {};
 
-export function bodySettings(settled: SettledBody): BodySettings {
-  const { name, level, meshNumber, renderVertices, tuned: body, own } = settled;
+export function bodySettings(entry: TunedEntry): BodySettings {
+  const { name, level, meshNumber, renderVertices, tuned: body, own } = entry;
   const { tuned, result } = body;
   const { positions, scale } = own ?? { positions: body.mesh.positions, scale: 1 };
   const hasMaps = tuned.stretchField.length > 0;

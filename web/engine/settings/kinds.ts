@@ -31,7 +31,7 @@ export function readNumber(text: string): number | string {
 }
 
 const readList = (text: string) => text.split(',').map(readNumber);
-const asItIs = (text: string) => text;
+const verbatim = (text: string) => text;
 const isText = (value: unknown) => typeof value === 'string';
 
 const isWithin = (value: unknown, { min, max }: { min: number; max: number }): boolean =>
@@ -58,7 +58,7 @@ const describeText =
 
 const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
   choice: {
-    read: asItIs,
+    read: verbatim,
     isAllowed: (value, { choices }) => typeof value === 'string' && choices.includes(value),
     describe: ({ choices }) => `one of ${choices.join(', ')}`,
     placeholder: ({ choices }) => choices.join('|'),
@@ -97,41 +97,41 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
     placeholder: () => 'N[,N...]',
   },
   pins: {
-    read: asItIs,
+    read: verbatim,
     isAllowed: isText,
     parse: (text, setting) => parsePins(text, setting),
     describe: describeText('terms joined by +'),
     placeholder: () => 'SPEC',
   },
   paint: {
-    read: asItIs,
+    read: verbatim,
     isAllowed: isText,
     parse: (text) => parsePaint(text),
     describe: describeText('what the brush of the page writes'),
     placeholder: () => 'TEXT',
   },
   colliders: {
-    read: asItIs,
+    read: verbatim,
     isAllowed: isText,
     parse: (text) => parseColliders(text),
     describe: describeText('terms joined by +'),
     placeholder: () => 'SPEC',
   },
   engine: {
-    read: asItIs,
+    read: verbatim,
     isAllowed: isText,
     parse: (text) => parseEngine(text),
     describe: describeText('name=value with commas'),
     placeholder: () => 'FILE|NAME=VALUE,...',
   },
   name: {
-    read: asItIs,
+    read: verbatim,
     isAllowed: isText,
     describe: describeText('the name of an attribute'),
     placeholder: () => 'NAME',
   },
   pattern: {
-    read: asItIs,
+    read: verbatim,
     isAllowed: isText,
     describe: describeText('names, in which * stands for any letters and ? for one'),
     placeholder: () => 'GLOB',

@@ -9,23 +9,23 @@ import type { OptionSpec } from './types';
 
 /** Parses the text of a setting; text that should be a number and is not is returned unchanged, and the range check refuses it. */
 export const readSetting = (option: OptionSpec, text: string): unknown =>
-  rulesOf(option).read(presentWord(option, text) ?? text);
+  rulesOf(option).read(presentChoice(option, text) ?? text);
 
 /** The present name of a choice that had another name in an earlier version; null for every other text. */
-const presentWord = (option: OptionSpec, text: string): string | null =>
+const presentChoice = (option: OptionSpec, text: string): string | null =>
   option.kind === 'choice' && option.formerly && Object.hasOwn(option.formerly, text)
     ? option.formerly[text]
     : null;
 
 /** A sentence about each text that is the name of a choice in an earlier version. */
-export function describeFormerWords(
+export function describeRenamedChoices(
   names: readonly SettingName[],
   textOfFlag: (flag: string) => string | null | undefined,
 ): Note[] {
   return names.flatMap((setting) => {
     const option = OPTIONS[setting];
     const text = textOfFlag(option.flag);
-    const word = typeof text === 'string' ? presentWord(option, text) : null;
+    const word = typeof text === 'string' ? presentChoice(option, text) : null;
     if (word === null) return [];
     return [[{ setting }, ` ${text} of earlier versions is now ${word} (default: ${option.default})`]];
   });

@@ -17,7 +17,7 @@
 
 import type { MeshFacts } from './mesh_facts';
 import { hingeOfPlate, springOfPlate } from './plate';
-import { asItIs, perVertex, withEdge } from './profile';
+import { meshIndependent, perVertex, withEdge } from './profile';
 import type { Change, SolverProfile } from './profile';
 
 /** 1 / (seconds in a frame)^2 */
@@ -61,7 +61,7 @@ export const blender: SolverProfile = {
       min: 0,
       max: 10000,
       words: 'stiffness of the diagonals of quads, of which triangles have none',
-      carried: ({ stretch, edge }) => stretch * edge,
+      scaling: ({ stretch, edge }) => stretch * edge,
     },
     {
       name: 'bending',
@@ -80,7 +80,7 @@ export const blender: SolverProfile = {
       max: 10,
       words: 'viscosity of the air',
       role: 'air',
-      carried: perVertex,
+      scaling: perVertex,
     },
     {
       name: 'tension_damping',
@@ -89,9 +89,9 @@ export const blender: SolverProfile = {
       max: 50,
       words: 'damping of edges',
       role: 'damping',
-      carried: withSpring,
+      scaling: withSpring,
     },
-    { name: 'bending_damping', unit: '', min: 0, max: 1000, words: 'damping of hinges', carried: withHinge },
+    { name: 'bending_damping', unit: '', min: 0, max: 1000, words: 'damping of hinges', scaling: withHinge },
     {
       name: 'distance_min',
       unit: 'm',
@@ -99,7 +99,7 @@ export const blender: SolverProfile = {
       max: 1,
       words: 'distance to what it touches',
       role: 'collisionThickness',
-      carried: withEdge,
+      scaling: withEdge,
     },
     {
       name: 'self_distance_min',
@@ -108,7 +108,7 @@ export const blender: SolverProfile = {
       max: 0.1,
       words: 'distance between its own parts',
       role: 'selfCollisionDistance',
-      carried: withEdge,
+      scaling: withEdge,
     },
     {
       name: 'friction',
@@ -117,7 +117,7 @@ export const blender: SolverProfile = {
       max: 80,
       words: 'of what it touches',
       role: 'friction',
-      carried: asItIs,
+      scaling: meshIndependent,
     },
     {
       name: 'quality',
@@ -126,7 +126,7 @@ export const blender: SolverProfile = {
       max: 1000,
       words: 'steps of a frame',
       role: 'substeps',
-      carried: asItIs,
+      scaling: meshIndependent,
     },
   ],
   // Half of what blew up on sheets (docs/engines.md).

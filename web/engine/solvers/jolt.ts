@@ -8,7 +8,7 @@
  */
 
 import { hingeOfPlate, springOfPlate } from './plate';
-import { asItIs, withEdge } from './profile';
+import { meshIndependent, withEdge } from './profile';
 import type { SolverProfile } from './profile';
 
 export const jolt: SolverProfile = {
@@ -40,7 +40,7 @@ export const jolt: SolverProfile = {
       max: 1000,
       words: 'rate at which velocities fall',
       role: 'damping',
-      carried: asItIs,
+      scaling: meshIndependent,
     },
     {
       name: 'vertexRadius',
@@ -50,7 +50,7 @@ export const jolt: SolverProfile = {
       max: 1e3,
       words: 'distance that vertices keep from other bodies',
       role: 'collisionThickness',
-      carried: withEdge,
+      scaling: withEdge,
     },
     {
       name: 'friction',
@@ -60,7 +60,7 @@ export const jolt: SolverProfile = {
       max: 10,
       words: "Coulomb's coefficient",
       role: 'friction',
-      carried: asItIs,
+      scaling: meshIndependent,
     },
   ],
   defaults(material, { area, vertices }) {

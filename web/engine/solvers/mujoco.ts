@@ -9,7 +9,7 @@
  */
 
 import { plateConstants, plateOf } from './plate';
-import { asItIs, withEdge } from './profile';
+import { meshIndependent, withEdge } from './profile';
 import type { SolverProfile } from './profile';
 
 /** A plate's flexural rigidity over that of the flex. */
@@ -37,7 +37,7 @@ export const mujoco: SolverProfile = {
       max: 1000,
       words: "Rayleigh's coefficient: damping over stiffness",
       role: 'damping',
-      carried: asItIs,
+      scaling: meshIndependent,
     },
     {
       name: 'radius',
@@ -46,7 +46,7 @@ export const mujoco: SolverProfile = {
       max: 1e3,
       words: 'of every element in contacts',
       role: 'collisionThickness',
-      carried: withEdge,
+      scaling: withEdge,
     },
     {
       name: 'friction',
@@ -55,7 +55,7 @@ export const mujoco: SolverProfile = {
       max: 100,
       words: 'sliding coefficient of contacts',
       role: 'friction',
-      carried: asItIs,
+      scaling: meshIndependent,
     },
   ],
   defaults({ young, poisson, thickness, density }, { area }) {

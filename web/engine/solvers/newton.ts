@@ -11,7 +11,7 @@
  */
 
 import { hingeOfPlate, plateConstants } from './plate';
-import { asItIs, withEdge } from './profile';
+import { meshIndependent, withEdge } from './profile';
 import type { Change, SolverProfile } from './profile';
 
 const withStretch = ({ stretch }: Change): number => stretch;
@@ -39,9 +39,9 @@ export const newton: SolverProfile = {
       max: 1e15,
       words: 'damping of triangles',
       role: 'damping',
-      carried: withStretch,
+      scaling: withStretch,
     },
-    { name: 'edge_kd', unit: 'N s', min: 0, max: 1e15, words: 'damping of edges', carried: withBend },
+    { name: 'edge_kd', unit: 'N s', min: 0, max: 1e15, words: 'damping of edges', scaling: withBend },
     {
       name: 'tri_drag',
       unit: '',
@@ -49,7 +49,7 @@ export const newton: SolverProfile = {
       max: 1e9,
       words: 'drag of the air on triangles',
       role: 'air',
-      carried: asItIs,
+      scaling: meshIndependent,
     },
     {
       name: 'particle_radius',
@@ -58,7 +58,7 @@ export const newton: SolverProfile = {
       max: 1e6,
       words: 'of every particle in contacts',
       role: 'collisionThickness',
-      carried: withEdge,
+      scaling: withEdge,
     },
     {
       name: 'particle_self_contact_margin',
@@ -67,7 +67,7 @@ export const newton: SolverProfile = {
       max: 1e6,
       words: 'distance at which cloth touches itself',
       role: 'selfCollisionDistance',
-      carried: withEdge,
+      scaling: withEdge,
     },
     {
       name: 'soft_contact_mu',
@@ -76,9 +76,16 @@ export const newton: SolverProfile = {
       max: 100,
       words: 'friction of contacts',
       role: 'friction',
-      carried: asItIs,
+      scaling: meshIndependent,
     },
-    { name: 'iterations', unit: '', min: 1, max: 1e6, words: 'of VBD in a substep', carried: asItIs },
+    {
+      name: 'iterations',
+      unit: '',
+      min: 1,
+      max: 1e6,
+      words: 'of VBD in a substep',
+      scaling: meshIndependent,
+    },
   ],
   defaults(material, { meanEdge }) {
     const { stretch, secondStretch } = plateConstants(material);

@@ -39,7 +39,7 @@ export interface NativeParameter {
    * For a parameter that `elastic` does not give: the factor from the value on the original to the one on the coarse mesh. The
    * result is kept within the range. Absent: `elastic` gives the value.
    */
-  carried?: (change: Change) => number;
+  scaling?: (change: Change) => number;
 }
 
 /** The stability limit of an explicit term. */
@@ -101,7 +101,7 @@ export interface SolverProfile {
 }
 
 /** The factor of parameters that do not depend on the mesh. */
-export const asItIs = (): number => 1;
+export const meshIndependent = (): number => 1;
 /** The factor of lengths in proportion to the edges, such as collision distances. */
 export const withEdge = ({ edge }: Change): number => edge;
 /** The factor of quantities per vertex whose sum must not change. */
@@ -139,9 +139,9 @@ export function nativeValues(
   const elastic = profile.elastic(constants, facts);
   return Object.fromEntries(
     profile.parameters.map((parameter) => {
-      const { name, carried, min, max } = parameter;
-      if (!carried) return [name, elastic[name]];
-      const value = original.values[name] * carried(change);
+      const { name, scaling, min, max } = parameter;
+      if (!scaling) return [name, elastic[name]];
+      const value = original.values[name] * scaling(change);
       return [name, Math.min(max, Math.max(min, value))];
     }),
   );

@@ -1,6 +1,6 @@
 /** The common part of the generic families with a material: the parameters of a thin sheet, the same on every mesh. */
 
-import { asItIs, withEdge } from './profile';
+import { meshIndependent, withEdge } from './profile';
 import type { NativeParameter, SolverProfile } from './profile';
 import { plateConstants, plateOf } from './plate';
 
@@ -11,7 +11,7 @@ export const DAMPING: NativeParameter = {
   max: 1000,
   words: 'rate at which velocities fall',
   role: 'damping',
-  carried: asItIs,
+  scaling: meshIndependent,
 };
 
 /** Contacts of the generic families. */
@@ -23,7 +23,7 @@ export const CONTACT: readonly NativeParameter[] = [
     max: 10,
     words: "Coulomb's coefficient",
     role: 'friction',
-    carried: asItIs,
+    scaling: meshIndependent,
   },
   {
     name: 'self_distance',
@@ -32,7 +32,7 @@ export const CONTACT: readonly NativeParameter[] = [
     max: 1e6,
     words: 'distance that parts of the body keep from each other',
     role: 'selfCollisionDistance',
-    carried: withEdge,
+    scaling: withEdge,
   },
 ];
 

@@ -2,7 +2,7 @@
 
 import { wholeFaces } from './collapse_pairs';
 import { constraintsStage } from './constraints';
-import { chargedCosts, guidingCurvature, guidingStrain } from './guidance';
+import { attributeCosts, guidingCurvature, guidingStrain } from './guidance';
 import { keptHistoryStage } from './kept_history';
 import { preparedStage } from './prepared';
 import { SIMPLIFICATION_SETTINGS, simplificationOf, simplificationSettings } from './simplification';
@@ -15,7 +15,7 @@ export const explanationStage = declareStage({
   needs: {
     prepared: preparedStage,
     constraints: constraintsStage,
-    costs: chargedCosts,
+    costs: attributeCosts,
     guidance: guidingStrain,
     curvature: guidingCurvature,
     kept: keptHistoryStage,

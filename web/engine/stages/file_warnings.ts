@@ -75,10 +75,10 @@ export function modesOfFile(file: FileRun, settings: Settings): { sets: ModeSet[
     file.announce(run);
     return { prepared: run.get(STAGES.prepared, settings), set: run.get(STAGES.modes, settings) };
   });
-  const still = all.filter(({ set }) => set.modes.length === 0).map(({ prepared }) => prepared);
-  if (still.length === all.length)
-    throw new Error(`Body "${still[0].body.name}" has no modes: ${whyStill(still[0])}.`);
-  const warnings = still.map((body) => ofBody(body.body.name, `no modes: ${whyStill(body)}`));
+  const immovable = all.filter(({ set }) => set.modes.length === 0).map(({ prepared }) => prepared);
+  if (immovable.length === all.length)
+    throw new Error(`Body "${immovable[0].body.name}" has no modes: ${explainNoModes(immovable[0])}.`);
+  const warnings = immovable.map((body) => ofBody(body.body.name, `no modes: ${explainNoModes(body)}`));
   return { sets: all.map(({ set }) => set), warnings };
 }
 
@@ -94,7 +94,7 @@ export const comparedWarnings = (originals: PreparedBody[]): Warning[] =>
     .map(({ body }) => ofBody(body.name, 'no modes to compare: its triangles have no area'));
 
 /** A clause on why a body has no modes, and the cure. */
-const whyStill = (body: PreparedBody): string =>
+const explainNoModes = (body: PreparedBody): string =>
   hasNoArea(body)
     ? 'its triangles have no area, so give it some that are not flat'
     : 'its pins hold all that could move, so pin less';

@@ -67,7 +67,7 @@ export const guidingCurvature = where(
   (settings) => methodOf(settings).needsCurvature,
 );
 /** Attributes that enter the cost: none in the paper's method, or if seams are crossed. */
-export const chargedCosts = where(
+export const attributeCosts = where(
   costsStage,
   ['method', 'seams'],
   (settings) => methodOf(settings).keepsAttributes && settings.seams !== 'cross',

@@ -5,7 +5,7 @@ import type { History } from '../core/core';
 import { constraintsStage } from './constraints';
 import { coreCall, resultOf } from './many_bodies/core_call';
 import type { CoreCall } from './many_bodies/core_call';
-import { chargedCosts, guidingCurvature, guidingStrain } from './guidance';
+import { attributeCosts, guidingCurvature, guidingStrain } from './guidance';
 import { preparedStage } from './prepared';
 import { SIMPLIFICATION_SETTINGS, simplificationOf, simplificationSettings } from './simplification';
 import type { Guides, SimplificationSettings } from './simplification';
@@ -17,7 +17,7 @@ export const historyStage = declareStage({
   needs: {
     prepared: preparedStage,
     constraints: constraintsStage,
-    costs: chargedCosts,
+    costs: attributeCosts,
     guidance: guidingStrain,
     curvature: guidingCurvature,
   },

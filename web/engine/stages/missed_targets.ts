@@ -54,7 +54,7 @@ export function faceTarget({ faces, ratio, settings, named }: AskedTargets): Fac
 }
 
 /** Whether the user gave the largest deviation: by default it is a guard, and stopping at it misses no target. */
-const asksForDeviation = ({ named, settings }: Pick<AskedTargets, 'named' | 'settings'>): boolean =>
+const isDeviationTarget = ({ named, settings }: Pick<AskedTargets, 'named' | 'settings'>): boolean =>
   named.has('maxDeviation') && settings.maxDeviation > 0;
 
 export function missedTargets(
@@ -66,7 +66,7 @@ export function missedTargets(
   const describe = (bodies: StoppedBody[], where = '') =>
     describeMiss(bodies, output.prepared(), { where, settings, nameOf });
   const guardOf = (bodies: StoppedBody[], where = '') =>
-    asksForDeviation(asked) ? '' : describeGuard(bodies, nameOf, where);
+    isDeviationTarget(asked) ? '' : describeGuard(bodies, nameOf, where);
   const [ofFile, guard] = [describe(output.stopped()), guardOf(output.stopped())];
   const isAsked = asked.faces !== null || asked.ratio !== null;
   const { faces, ratio } = faceTarget(asked);

@@ -6,7 +6,7 @@ import type { MaterialSettings } from '../body/material';
 import type { PinnedVertices } from '../body/pins';
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, MeshAt, TriangleMesh } from '../core/core';
-import type { SettledBody } from '../report/settings_file';
+import type { TunedEntry } from '../report/settings_file';
 import type { Body } from '../document/model';
 import { engineValues } from '../settings/engine_text';
 import { SettingError } from '../settings/options';
@@ -124,7 +124,7 @@ export function pinnedOfResult(pinned: PinnedVertices, { inputOfVertex }: MeshAt
 }
 
 /** A coarse mesh that was tuned, for the settings file: in the space of its own file. */
-export function settledBody(coarse: PreparedBody, tuned: TunedBody): SettledBody {
+export function tunedEntry(coarse: PreparedBody, tuned: TunedBody): TunedEntry {
   const { name, mesh: meshNumber, own } = coarse.body;
   const space = own && { positions: positionsInFile(coarse), scale: own.scale };
   const renderVertices = weldedVerticesInFile(coarse);
@@ -132,7 +132,7 @@ export function settledBody(coarse: PreparedBody, tuned: TunedBody): SettledBody
 }
 
 /** Calls `work`; with several bodies, its errors are prefixed with the name of the body. */
-export function ofBodyNamed<T>({ name }: Body, isOneOfMany: boolean, work: () => T): T {
+export function withBodyName<T>({ name }: Body, isOneOfMany: boolean, work: () => T): T {
   try {
     return work();
   } catch (error) {

@@ -14,7 +14,7 @@ import type { FileRun } from '../../engine/stages/file_run';
 import { comparedWarnings } from '../../engine/stages/file_warnings';
 import { measureDistance } from '../../engine/stages/measure';
 import { STAGES } from '../../engine/stages/stages';
-import { ofBodyNamed, settledBody, tuneMesh, tuneSettings } from '../../engine/stages/tune';
+import { withBodyName, tunedEntry, tuneMesh, tuneSettings } from '../../engine/stages/tune';
 import type { CompareReport, Reported, TuneResult } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
@@ -71,7 +71,7 @@ export async function tuneModel(session: WorkSession, [first, second]: ModelFile
   const weld = session.lap();
   const tuned = tuneFile(session, file, others);
   const tune = session.lap();
-  const bodies = others.map((other, i) => settledBody(other, tuned[i]));
+  const bodies = others.map((other, i) => tunedEntry(other, tuned[i]));
   const text = writeSettings(settingsFile(bodies, settings));
   const report = {
     ...startReport(core, 'tune', settingsAsUsed('tune', settings), originals),
@@ -91,7 +91,7 @@ function tuneFile({ core, settings }: WorkSession, file: FileRun, others: Prepar
     const { mesh } = others[i];
     const pinnedOriginal = run.get(STAGES.pinned, settings);
     const pinned = core.carryPins(prepared.mesh, pinnedOriginal, mesh);
-    return ofBodyNamed(prepared.body, file.usable.length > 1, () =>
+    return withBodyName(prepared.body, file.usable.length > 1, () =>
       tuneMesh(core, prepared, { mesh, pinned, pinnedOriginal }, asked),
     );
   });

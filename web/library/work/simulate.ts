@@ -5,14 +5,14 @@ import type { PreparedBody } from '../../engine/body/prepared_body';
 import type { MotionComparison } from '../../engine/core/core';
 import { recordingGlb } from '../../engine/document/recording';
 import type { RecordedBody } from '../../engine/document/recording';
-import { askedMotion, checkBesideTuning, solversOf } from '../../engine/stages/asked_motion';
+import { motionModel, checkBesideTuning, solversOf } from '../../engine/stages/simulated_solvers';
 import {
   bindingBetween,
   calibrationOf,
   simulationOptions,
   STEP_SECONDS,
 } from '../../engine/motion/simulation';
-import { describePinTrouble, pinTrouble } from '../../engine/motion/still_pins';
+import { describePinProblem, findPinProblem } from '../../engine/motion/pin_problems';
 import { readBinding } from '../../engine/report/binding_file';
 import { meshReport } from '../../engine/report/mesh_report';
 import { calibrationReport, simulationReport } from '../../engine/report/motion_report';
@@ -72,7 +72,7 @@ export async function simulateModels(
   const report: SimulateReport = {
     ...startReport(core, 'simulate', used, originals),
     ...(others ? { output: meshReport(others) } : {}),
-    simulation: simulationReport(motions, askedMotion(settings, tuning, others !== null)),
+    simulation: simulationReport(motions, motionModel(settings, tuning, others !== null)),
     ...(factors ? { calibration: calibrationReport(originals, factors) } : {}),
     timings: { load, weld, ...(factors ? { calibration } : {}), simulate, export: session.lap() },
   };
@@ -127,9 +127,9 @@ function moveBodies(
     const original = originals[i];
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
-    const trouble = pinTrouble(settings.scenario, original.mesh, pinned);
+    const trouble = findPinProblem(settings.scenario, original.mesh, pinned);
     if (trouble)
-      notes.push(`${original.body.name}: ${describePinTrouble(trouble, settings.scenario, settingText)}`);
+      notes.push(`${original.body.name}: ${describePinProblem(trouble, settings.scenario, settingText)}`);
     const solvers = solversOf(session.settings, original, others?.[i] ?? null, tuning);
     return core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),

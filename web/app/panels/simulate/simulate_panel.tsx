@@ -8,7 +8,7 @@ import { scenarioEnds } from '../../state/ends';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
 import { troubleOfPins } from '../../state/simulation';
-import type { PinTrouble } from '../../../engine/motion/still_pins';
+import type { PinProblem } from '../../../engine/motion/pin_problems';
 import { pinSource, twin } from '../../state/twin';
 import type { PinSource } from '../../state/twin';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
@@ -80,7 +80,7 @@ export function SimulatePanel() {
 }
 
 /** What is to be done where the scenario cannot move the held vertices, or would tear them apart. */
-function PinTroubleText({ trouble }: { trouble: PinTrouble }) {
+function PinTroubleText({ trouble }: { trouble: PinProblem }) {
   const end = say(scenarioEnds.value!.high);
   return (
     <>

@@ -1,6 +1,6 @@
 /** In which solver both bodies move, and whether the optimized one has what tuning found for it. */
 
-import type { OwnModel } from '../../../engine/motion/own_model';
+import type { DefaultModel } from '../../../engine/motion/default_model';
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
 import type { SolverName } from '../../../engine/solvers/profiles';
 import { OPTIONS as SETTINGS } from '../../../engine/settings/options';
@@ -26,7 +26,7 @@ export const SHELL: Words = {
 };
 
 /** What is called solid: closed parts are, and open ones are shells. */
-export const SOLID: Record<OwnModel, Words> = {
+export const SOLID: Record<DefaultModel, Words> = {
   solid: { text: "Limber's solid", title: 'It has an inside, the same in both bodies' },
   shell: SHELL,
   both: {
@@ -41,7 +41,7 @@ export const SPRINGS: Words = {
 };
 
 /** Words for each; a body whose parts are all open is a shell in either way, which is offered once. */
-const ownWords = (model: OwnModel): [Material, Words][] => [
+const ownWords = (model: DefaultModel): [Material, Words][] => [
   ['solid', SOLID[model]],
   ...(model === 'shell' ? [] : ([['shell', SHELL]] as [Material, Words][])),
   ['springs', SPRINGS],

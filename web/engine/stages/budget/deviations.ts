@@ -50,7 +50,7 @@ export class Deviations {
   }
 
   /** The arguments of `isWithinDeviation` for a level; null if the answer is known. */
-  toAsk(faces: number, limit: number): Comparison | null {
+  comparisonFor(faces: number, limit: number): Comparison | null {
     const { exact, within } = this.known;
     const key = withinKey(faces, limit);
     if (exact.has(faces) || within.has(key)) return null;
@@ -85,12 +85,12 @@ function withoutRepetition<One extends Comparison>(all: (One | null)[]): One[] {
 }
 
 /** Makes comparisons of `Deviations.isWithin` in parallel. */
-export function askInParallel(
+export function compareInParallel(
   core: Core,
   questions: { deviations: Deviations; faces: number; limit: number }[],
 ): void {
   const asked = questions.map(({ deviations, faces, limit }) => {
-    const comparison = deviations.toAsk(faces, limit);
+    const comparison = deviations.comparisonFor(faces, limit);
     return comparison && { ...comparison, limit };
   });
   const unknown = withoutRepetition(asked);

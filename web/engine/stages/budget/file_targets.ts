@@ -14,7 +14,7 @@ import { runBodies } from '../many_bodies/parallel_bodies';
 import { SceneQueue } from './scene_budget';
 
 /** The request for a file. */
-export interface FileAsked extends FaceTarget {
+export interface RequestedFile extends FaceTarget {
   settings: Settings;
   /** whether strain and curvature are written as attributes */
   fields: boolean;
@@ -31,7 +31,7 @@ export interface FileAsked extends FaceTarget {
  * of each other, the same share of each. Needs the history of every body. The page, the command line and the library all use
  * this function.
  */
-export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
+export function requestFile(file: FileRun, asked: RequestedFile): FileRequest {
   const { settings, fields, binding, own, ...target } = asked;
   const shared = file.usable.filter(({ i }) => !own?.has(i));
   const fewestFaces = fewestOfOnly(file, asked);
@@ -56,7 +56,7 @@ export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
 }
 
 /** The fewest faces that the only request of a file needs of its only body; undefined for several bodies, whose targets follow from their histories. */
-function fewestOfOnly(file: FileRun, { settings, isOnly, ...target }: FileAsked): number | undefined {
+function fewestOfOnly(file: FileRun, { settings, isOnly, ...target }: RequestedFile): number | undefined {
   if (!isOnly || file.usable.length !== 1) return undefined;
   const [{ layers }] = file.prepared(settings);
   const levels = [target, ...settings.lods.map((ratio): FaceTarget => ({ faces: null, ratio }))];
@@ -132,7 +132,7 @@ export interface SharedFaces {
 }
 
 /** The targets that `requestFile` gives each body, and the range of the shared number. */
-export function shareFaces(file: FileRun, asked: FileAsked): SharedFaces {
+export function shareFaces(file: FileRun, asked: RequestedFile): SharedFaces {
   const { settings, own } = asked;
   const shared = file.usable.filter(({ i }) => !own?.has(i));
   const queue = sceneQueue(file, shared, settings, 1);

@@ -3,7 +3,7 @@
 import type { Core, MeshAt } from '../../core/core';
 import { faceCount } from '../../core/mesh';
 import { searchWithinDeviation } from './deviation_limit';
-import { askInParallel, deviationsStage } from './deviations';
+import { compareInParallel, deviationsStage } from './deviations';
 import type { Deviations } from './deviations';
 import { collapsesWithin, errorCurveStage } from './error_curve';
 import type { ErrorCurve } from './error_curve';
@@ -95,7 +95,7 @@ export function guardInParallel(core: Core, levels: LevelToGuard[]): void {
     const open = searches.filter(({ step }) => !step.done);
     if (open.length === 0) break;
     const questions = open.map(({ deviations, limit, step }) => ({ deviations, limit, faces: step.value }));
-    askInParallel(core, questions);
+    compareInParallel(core, questions);
     for (const one of open) one.step = one.search.next(one.deviations.isWithin(one.step.value, one.limit));
   }
 }

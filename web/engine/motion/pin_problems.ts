@@ -6,7 +6,7 @@ import { scenarioWords } from '../core/scenarios';
 import type { ScenarioName } from '../core/scenarios';
 
 /** Still: no pin moves, so nothing does. Torn: neighbouring pins are pulled apart, because only one of them moves. */
-export type PinTrouble = 'still' | 'torn';
+export type PinProblem = 'still' | 'torn';
 
 /** Bits for what a scenario does with a pin. */
 const [STAYS, MOVES] = [1, 2];
@@ -15,11 +15,11 @@ const [STAYS, MOVES] = [1, 2];
  * The problem with pins in a scenario that moves only those beyond the middle of the longest side: `pinTarget` in
  * wasm/simulate/scenario.cpp. Null without a problem. `mesh`: the original, rotated as in its scene; `pinned`: null for the default pins of the scenario.
  */
-export function pinTrouble(
+export function findPinProblem(
   scenario: ScenarioName,
   mesh: TriangleMesh,
   pinned: Uint32Array | null,
-): PinTrouble | null {
+): PinProblem | null {
   if (pinned === null || !scenarioWords(scenario).movesPins) return null;
   const isMoved = movedBy(mesh.positions);
   if (!pinned.some(isMoved)) return 'still';
@@ -36,10 +36,10 @@ export function pinTrouble(
 type SettingText = (name: 'scenario' | 'pins', value?: string) => string;
 
 /** The problem as a sentence without its full stop. */
-export function describePinTrouble(trouble: PinTrouble, scenario: ScenarioName, write: SettingText): string {
+export function describePinProblem(problem: PinProblem, scenario: ScenarioName, write: SettingText): string {
   const moves = `${write('scenario', scenario)} moves pins of the upper half`;
   const cure = `leave ${write('pins')} out or take ${write('scenario', 'sway')}`;
-  return trouble === 'still'
+  return problem === 'still'
     ? `nothing moves: ${moves}, and ${write('pins')} has none there; ${cure}`
     : `${moves}, and of the neighbours in ${write('pins')} some lie beyond the middle and some do not, so that they are torn apart; ${cure}`;
 }

@@ -3,10 +3,10 @@
 import type { Inspection } from '../core/core';
 
 /** `both`: some of its parts are solids, others shells. */
-export type OwnModel = 'solid' | 'shell' | 'both';
+export type DefaultModel = 'solid' | 'shell' | 'both';
 
 /** The model of a body: closed components with a volume are solids, all others shells. */
-export function ownModelOf({ components, solidComponents }: Inspection): OwnModel {
+export function defaultModelOf({ components, solidComponents }: Inspection): DefaultModel {
   if (solidComponents === 0) return 'shell';
   return solidComponents === components ? 'solid' : 'both';
 }

@@ -3,7 +3,7 @@ import type { Core } from '../../web/engine/core/core';
 import { SCENARIOS } from '../../web/engine/core/scenarios';
 import { SimulatedBodies } from '../../web/engine/motion/simulated_bodies';
 import { simulationOptions } from '../../web/engine/motion/simulation';
-import { pinTrouble } from '../../web/engine/motion/still_pins';
+import { findPinProblem } from '../../web/engine/motion/pin_problems';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { loadTestCore } from './support/core';
 import { grid } from './support/shapes';
@@ -36,12 +36,12 @@ test.each(SCENARIOS.map(({ name }) => name))(
   '%s stands still where its words say so, in the core too',
   (name) => {
     for (const pinned of [left, right, Uint32Array.from([...left, ...right]).sort()])
-      expect(pinTrouble(name, mesh, pinned)).toBe(moves(name, pinned) ? null : 'still');
+      expect(findPinProblem(name, mesh, pinned)).toBe(moves(name, pinned) ? null : 'still');
   },
 );
 
 test('pins of the scenario itself move', () => {
-  expect(pinTrouble('twist', mesh, null)).toBeNull();
+  expect(findPinProblem('twist', mesh, null)).toBeNull();
 });
 
 test('pins along the longest side are torn by scenarios that move one half of them', () => {
@@ -50,6 +50,6 @@ test('pins along the longest side are torn by scenarios that move one half of th
       (v) => mesh.positions[3 * v + 1] === 0,
     ),
   );
-  const troubles = SCENARIOS.map(({ name }) => [name, pinTrouble(name, mesh, edge)]);
+  const troubles = SCENARIOS.map(({ name }) => [name, findPinProblem(name, mesh, edge)]);
   expect(troubles).toEqual(SCENARIOS.map(({ name, movesPins }) => [name, movesPins ? 'torn' : null]));
 });

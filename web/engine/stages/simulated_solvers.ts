@@ -7,12 +7,12 @@ import { solversOfSettings } from '../report/solvers_of_settings';
 import { OPTIONS, SettingError } from '../settings/options';
 import type { Settings } from '../settings/options';
 import type { SolverPair } from '../solvers/solver_pair';
-import { simulatedMaterial, solversAsTheyAre } from '../motion/simulation';
+import { simulatedMaterial, untouchedSolversOf } from '../motion/simulation';
 
 const OF_SETTINGS_FILE = ['engine', 'bendRatio', 'massRule'] as const;
 
 /** The simulated solver or material, for the report. `tuning`: the settings file of the other body, or null. */
-export function askedMotion(settings: Settings, tuning: SettingsFile | null, isPair: boolean) {
+export function motionModel(settings: Settings, tuning: SettingsFile | null, isPair: boolean) {
   const { scenario, solver: named } = settings;
   const material = simulatedMaterial(settings);
   const solver = tuning?.solver ?? (named === 'none' ? undefined : named);
@@ -38,5 +38,9 @@ export function solversOf(
 ): SolverPair | null {
   if (tuning && other)
     return solversOfSettings(tuning, original.mesh, other, materialOf(original, settings).unit);
-  return solversAsTheyAre(original, { original: original.mesh, result: (other ?? original).mesh }, settings);
+  return untouchedSolversOf(
+    original,
+    { original: original.mesh, result: (other ?? original).mesh },
+    settings,
+  );
 }
