@@ -8,7 +8,7 @@ const [c, s] = [Math.sqrt(3), 1];
 const TURNED = [c, s, 0, 0, -s, c, 0, 0, 0, 0, 2, 0, 3, -1, 5, 1];
 const SHEARED = [1, 0, 0, 0, 0.5, 1, 0, 0, 0, 0, 4, 0, 1, 2, 3, 1];
 
-it('an inverse takes points back', () => {
+it('the inverse of a map undoes it', () => {
   for (const matrix of [TURNED, SHEARED]) {
     const both = product(inverse(matrix), matrix);
     both.forEach((value, i) => expect(value).toBeCloseTo(i % 5 === 0 ? 1 : 0, 12));
@@ -19,7 +19,7 @@ it('an inverse takes points back', () => {
   expect(inverse(new Array<number>(16).fill(0)).every(Number.isFinite)).toBe(false);
 });
 
-it('a similarity turns, mirrors, moves and scales evenly', () => {
+it('a similarity is a rotation, reflection, translation and uniform scale', () => {
   const mirrored = [-2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1];
   for (const matrix of [TURNED, mirrored]) {
     expect(isSimilarity(matrix)).toBe(true);

@@ -109,7 +109,7 @@ describe('bad inputs', () => {
     expect(taken).toEqual([]);
   });
 
-  it('are at least 300, and their sentences are those that were read', async () => {
+  it('are at least 300, and their sentences are the reviewed ones', async () => {
     expect(listed.length).toBeGreaterThanOrEqual(300);
     await expect(`${listed.join('\n')}\n`).toMatchFileSnapshot('bad_inputs/sentences.txt');
   });

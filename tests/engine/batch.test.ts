@@ -85,7 +85,7 @@ describe('limber batch', () => {
     expect(readdirSync(path('out/.limber-batch')).sort()).toEqual(['manifest.json', 'pictures']);
   });
 
-  it('takes no limit of a preset for a target, but one that is asked for by name', () => {
+  it('treats a limit of a preset as no target, but one that is given by name as one', () => {
     const isAs = (...words: string[]) => {
       limber('optimize', 'src/sheets/sheet.obj', 'alone.glb', ...words);
       return bytes('out/sheets/sheet.glb').equals(bytes('alone.glb'));
@@ -101,7 +101,7 @@ describe('limber batch', () => {
     expect(isAs('--preset', 'print', '--max-deviation', '0.1')).toBe(true);
   });
 
-  it('does again what has changed by content, and nothing else', () => {
+  it('repeats assets whose content has changed, and nothing else', () => {
     batch();
     const written = statSync(path('out/ring.glb')).mtimeMs;
     utimesSync(path('src/ring.obj'), new Date(), new Date());
@@ -123,7 +123,7 @@ describe('limber batch', () => {
     expect([batch('--ratio', '0.3', '--soft', '--again').code, totals().unchanged]).toEqual([0, 0]);
   });
 
-  it('fails a bad asset alone, and names it with its sentence', () => {
+  it('fails only a bad asset, and reports it with its error', () => {
     write('src/bad.obj', 'v 0 0 nan\nf 1 1 1\n');
     write('src/=1+1.obj', 'nothing');
     const { code, stderr } = batch('--quiet');
@@ -171,7 +171,7 @@ describe('limber batch', () => {
     expect(totals().unchanged).toBe(2);
   });
 
-  it('writes over nothing that is not its own', () => {
+  it('overwrites nothing that it has not written', () => {
     write('out/ring.glb', 'mine');
     write('out/summary.csv', 'mine');
     expect(batch()).toMatchObject({
@@ -199,7 +199,7 @@ describe('limber batch', () => {
     expect(batch('--force').code).toBe(0);
   });
 
-  it('writes over none of its models, also where limber has made them', () => {
+  it('overwrites none of its input models, even if limber wrote them', () => {
     mkdirSync(path('out/src/src'), { recursive: true });
     for (const name of ['out/src/x.glb', 'out/src/src/x.glb'])
       limber('optimize', 'src/ring.obj', name, '--quiet');
@@ -246,13 +246,13 @@ describe('limber batch', () => {
     expect(limber('batch', 'nothing', 'out4').stderr).toMatch(/nothing does not exist/);
   });
 
-  it('says what a word of version 0.1 means now, once for all assets', () => {
+  it('translates a word of version 0.1 with one note for all assets', () => {
     const lines = batch('--fit', 'on').stderr.split('\n');
     expect(lines[0]).toBe('limber: --fit on of earlier versions is now modal (default: surface).');
     expect(lines.filter((line) => line.includes('earlier versions'))).toHaveLength(1);
   });
 
-  it('takes of a pattern without folders those of its own folder', () => {
+  it('matches a pattern without folders in its own folder alone', () => {
     write('top.obj', toObj(grid(4, 4)));
     for (const pattern of ['*.obj', './*.obj', './/*.obj']) {
       const { stdout } = limber('batch', pattern, 'out', '--dry-run');
@@ -261,7 +261,7 @@ describe('limber batch', () => {
     expect(limber('batch', './**/*.obj', 'out', '--dry-run').stdout).toContain('would optimize 3 assets; ');
   });
 
-  it('knows its own summary where its memory has been removed', () => {
+  it('recognises its own summary after its record has been removed', () => {
     batch();
     rmSync(path('out/.limber-batch'), { recursive: true });
     expect([batch().code, totals().done]).toEqual([0, 2]);
@@ -270,7 +270,7 @@ describe('limber batch', () => {
     expect(batch().stderr).toContain('summary.json exists and was not written by limber');
   });
 
-  it('does everything again where its memory is damaged', () => {
+  it('repeats everything if its record is damaged', () => {
     batch();
     const before = bytes('out/ring.glb');
     writeFileSync(path('out/.limber-batch/manifest.json'), '{"schema":"limber-batchmanifest/1","assets":[');
@@ -281,7 +281,7 @@ describe('limber batch', () => {
     expect([batch().code, totals().unchanged]).toEqual([0, 2]);
   });
 
-  it.runIf(process.platform === 'linux')('fails alone what takes more memory than a job may', () => {
+  it.runIf(process.platform === 'linux')('fails only the asset that takes more memory than a job may', () => {
     const { code, stderr } = batch('--memory', '64', '--quiet');
     expect(code).toBe(1);
     expect(stderr).toContain('limber: ring.obj: takes more than the 64 MB of a job: give more with --memory');

@@ -65,7 +65,7 @@ describe('before any work limber batch', () => {
     for (const name of ['closed', 'closed/.limber-batch']) chmodSync(path(name), 0o755);
   });
 
-  it('refuses what the format of the results cannot have', () => {
+  it('refuses options that the format of the results cannot have', () => {
     const compressed = 'OBJ cannot be compressed by draco: write .glb or .gltf, or leave it out.';
     const levels = 'OBJ has no levels of detail inside: write .glb or .gltf, or one file for each level.';
     refuses(['src', 'out', '--format', 'obj', '--compress', 'draco'], compressed);
@@ -76,7 +76,7 @@ describe('before any work limber batch', () => {
     refuses(['src', 'out', '--config', 'b.json'], `b.obj: ${compressed}`);
   });
 
-  it('leaves out the compression of a preset where the format has none, and says so once', () => {
+  it('drops the compression of a preset if the format has none, with one note', () => {
     const words = ['src', 'out', '--preset', 'mobile', '--format', 'obj', '--dry-run'];
     const note = 'limber: OBJ cannot be compressed: quantized of --preset mobile is left out.\n';
     expect(batch(words)).toMatchObject({ code: 0, stderr: note });
@@ -104,7 +104,7 @@ describe('before any work limber batch', () => {
     expect(batch(['src', 'out', '--config', 'b.json', '--dry-run'])).toMatchObject({ code: 0, stderr: '' });
   });
 
-  it('names each pattern of an override with which no asset agrees, once', () => {
+  it('names each pattern of an override that matches no asset, once', () => {
     configure({
       overrides: [
         { files: ['a.*', 'hreo/**'], options: { ratio: 0.9 } },

@@ -57,7 +57,7 @@ describe('patterns of paths', () => {
     expect(matchesPath(pattern, path)).toBe(isMatch);
   });
 
-  it('take no time that grows beyond the product of the lengths', () => {
+  it('take time in proportion to the product of the lengths at most', () => {
     const begun = performance.now();
     expect(matchesPath(`${'**/'.repeat(200)}z`, `${'a/'.repeat(2000)}y`)).toBe(false);
     expect(performance.now() - begun).toBeLessThan(2000);
@@ -65,7 +65,7 @@ describe('patterns of paths', () => {
 });
 
 describe('configurations', () => {
-  it('count in the order options, flags, overrides', () => {
+  it('take precedence in the order options, flags, overrides', () => {
     const read = config({
       options: { ratio: 0.5, strainWeight: 2, p: 'inf' },
       overrides: [
@@ -108,7 +108,7 @@ describe('configurations', () => {
     expect(() => readBatchConfig(text, 'b.json')).toThrow(sentence);
   });
 
-  it('of settings give the settings back, but what is about one file', () => {
+  it('of settings are read back as the settings, without those about one file', () => {
     const settings = {
       ...defaultSettings('qem'),
       strainWeight: 3,
@@ -122,7 +122,7 @@ describe('configurations', () => {
     expect(settingsFor(options)).toEqual({ ...settings, threads: 0 });
   });
 
-  it('take flags that were given, and those alone', () => {
+  it('take only the flags that were given', () => {
     const words = 'batch src out --ratio 0.3 --material-preset silk --young 5 --soft --threads 2';
     const options = optionsOfFlags(parseArguments(words.split(' ')) as Arguments);
     expect(options).toMatchObject({ ratio: 0.3, soft: true, young: 5 });
@@ -139,7 +139,7 @@ describe('what is up to date', () => {
     written: [{ name: 'a.glb', bytes: 1, sha256: 'h' }],
   };
 
-  it('is told by a key of everything that results follow from', () => {
+  it('is recognised by a key of everything that results depend on', () => {
     const keyFor = (options: AssetOptions, of = files, unasked: SettingName[] = []) =>
       keyOf(of, { options, unasked }, 'a.glb');
     const key = keyFor({ ratio: 0.5 });
@@ -172,7 +172,7 @@ describe('what is up to date', () => {
     expect(await reasonToDo({ ...record, state: 'failed' }, same, () => 'h')).toBe('failed before');
   });
 
-  it('keeps two assets apart that would have one result', () => {
+  it('separates two assets that would have one result file', () => {
     const sources = ['a.obj', 'a.ply', 'b/a.obj', 'c.d.obj'].map((name) => ({ name, path: name, bytes: 1 }));
     const results = (platform: NodeJS.Platform) =>
       assetsOf(sources, undefined, platform).map(({ result }) => result);
@@ -196,7 +196,7 @@ describe('the journal', () => {
   });
   afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
-  it('has what was finished, whatever it ends in, and keeps it when it is gathered', () => {
+  it('contains what was finished, whatever it ends with, also after it is compacted', () => {
     const journal = new Journal(folder);
     journal.add(failedRecord('a', 'no'));
     journal.add(failedRecord('b', 'no'));
@@ -257,7 +257,7 @@ describe('the summary', () => {
     expect(csv).toContain('\r\nнабор.obj,failed');
   });
 
-  it('leads to the model of a result, not to what it names, whatever its letters', () => {
+  it('links to the model of a result, not to its companions, whatever its characters', () => {
     const names = ['a.bin', 'x/50 % "off" #1?.gltf', 'x/50 % "off" #1?_lod1.gltf'];
     const written = names.map((name) => ({ name, bytes: 1, sha256: '' }));
     const done = { ...failedRecord('b', ''), state: 'done' as const, written, isUnchanged: false };
@@ -268,7 +268,7 @@ describe('the summary', () => {
     expect(summaryHtml(summary, () => null)).not.toContain('href');
   });
 
-  it('counts no faces of what failed', () => {
+  it('does not count the faces of failed assets', () => {
     const done = {
       ...failedRecord('b', ''),
       state: 'done' as const,
@@ -295,7 +295,7 @@ describe('pictures', () => {
     span: 2,
   };
 
-  it('cover the pixels whose middles a triangle covers', () => {
+  it('cover the pixels whose centres a triangle covers', () => {
     const { pixels } = draw(square, front, 8);
     const covered = Array.from(pixels, (value) => (value < 250 ? '#' : '.')).join('');
     expect(covered.match(/.{8}/g)).toEqual([
@@ -303,7 +303,7 @@ describe('pictures', () => {
     ]);
   });
 
-  it('show what is nearer, in whatever order it comes', () => {
+  it('show the nearest triangle, in any order of drawing', () => {
     const tilted = new Float32Array([0, 0, 1, 1, 0, 1, 1, 1, 2, 0, 0, 1, 1, 1, 2, 0, 1, 2]);
     const both = (first: Float32Array, second: Float32Array) =>
       draw(new Float32Array([...first, ...second]), front, 8).pixels;
@@ -311,13 +311,13 @@ describe('pictures', () => {
     expect(both(square, tilted)).toEqual(draw(tilted, front, 8).pixels);
   });
 
-  it('survive points that are not finite, and nothing at all', () => {
+  it('are drawn with non-finite points, and with no triangles', () => {
     const odd = new Float32Array([NaN, 0, 0, Infinity, 0, 0, 1, 1, 0]);
     expect(draw(odd, cameraOn(odd), 4).pixels.every((value) => value === 250)).toBe(true);
     expect(draw(new Float32Array(0), cameraOn(new Float32Array(0)), 4).pixels).toHaveLength(16);
   });
 
-  it('are PNG that others read', () => {
+  it('are PNG files that other programs read', () => {
     const bytes = Buffer.from(encodePng({ width: 2, height: 2, pixels: new Uint8Array([1, 2, 3, 4]) }));
     expect(bytes.subarray(1, 4).toString()).toBe('PNG');
     const length = bytes.readUInt32BE(33);
@@ -330,7 +330,7 @@ describe('pictures', () => {
 describe('a crew', () => {
   const args = (...words: string[]) => parseArguments(['batch', 'a', 'b', ...words]) as Arguments;
 
-  it('shares cores out, and never has more jobs than assets', () => {
+  it('divides the cores among jobs, and never has more jobs than assets', () => {
     expect(crewOf(args(), 100, 8)).toMatchObject({ jobs: 8, threads: 1 });
     expect(crewOf(args('--jobs', '2'), 100, 8)).toMatchObject({ jobs: 2, threads: 4 });
     expect(crewOf(args('--jobs', '2', '--threads', '1'), 100, 8)).toMatchObject({ jobs: 2, threads: 1 });
@@ -354,14 +354,14 @@ describe('progress', () => {
     return text;
   };
 
-  it('is a line for each asset, and on terminals one that stays, without steering them', () => {
+  it('is a line for each asset, and on terminals a status line without escape sequences', () => {
     expect(said(false)).toBe('[1/2] a ?[31m.obj: failed: no\n');
     expect(said(true)).toContain('\r1 of 2 assets, 1 failed: ');
     expect(said(true)).not.toContain('\u001b');
     expect(said(true).match(/\n/g)).toHaveLength(1);
   });
 
-  it('ends with sentences that name each asset once and have one mark at their end', () => {
+  it('ends with sentences that name each asset once and have one full stop', () => {
     expect(sentenceOn('a/b.obj', 'b.obj, line 1: "x" is not OBJ: is it a mesh?')).toBe(
       'a/b.obj, line 1: "x" is not OBJ: is it a mesh?',
     );

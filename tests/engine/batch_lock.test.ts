@@ -19,7 +19,7 @@ afterEach(() => {
   rmSync(folder, { recursive: true });
 });
 
-it('names its owner while it is held, and leaves nothing behind', () => {
+it('names its owner while it is locked, and leaves nothing behind', () => {
   const unlock = takeLock(folder, 'out');
   expect(JSON.parse(readFileSync(lock(), 'utf8'))).toEqual({ host: hostname(), process: process.pid });
   expect(readdirSync(folder)).toEqual(['lock.json']);

@@ -57,7 +57,7 @@ beforeEach(async () => {
 afterAll(() => rmSync(top, { recursive: true, force: true }));
 
 describe('files beside results', () => {
-  it('are made again where they are gone, also after they have been written with the same bytes', () => {
+  it('are written again if they are missing, also after they have been written with the same bytes', () => {
     batch('src');
     expect(batch('src', '--again')).toMatchObject({ code: 0, done: 1 });
     for (const name of ['out/a.bin', 'out/wood.png']) {
@@ -69,7 +69,7 @@ describe('files beside results', () => {
     expect(batch('src').done).toBe(0);
   });
 
-  it('count among the bytes of the result, which levels and reports do not', () => {
+  it('count towards the size of the result, unlike levels and reports', () => {
     batch('src', '--lods', '0.5', '--reports');
     const { assets } = JSON.parse(bytes('out/summary.json').toString()) as Summary;
     const sizes = ['a.gltf', 'a.bin', 'wood.png'].map((name) => bytes(`out/${name}`).length);
@@ -78,7 +78,7 @@ describe('files beside results', () => {
     expect(assets[0].bytesBefore).toBe(before.reduce((all, size) => all + size));
   });
 
-  it('hold nothing up where the model or the memory is gone, as after a kill', () => {
+  it('do not block a run if the model or the record is missing, as after a kill', () => {
     batch('src');
     remove('out/a.gltf');
     write('src/wood.png', picture(50));
@@ -89,7 +89,7 @@ describe('files beside results', () => {
     expect(batch('src', '--ratio', '0.6')).toMatchObject({ code: 0, stderr: '', done: 1 });
   });
 
-  it('stay known where their asset has failed in between', () => {
+  it('are still recognised after their asset has failed', () => {
     batch('src');
     const whole = bytes('src/a.gltf');
     write('src/a.gltf', '{');
@@ -99,7 +99,7 @@ describe('files beside results', () => {
     expect(batch('src', '--ratio', '0.3', '--soft')).toMatchObject({ code: 0, stderr: '', done: 1 });
   });
 
-  it('are not written over files of the user, of which the asset fails as a whole', () => {
+  it('never overwrite files of the user; the asset fails instead', () => {
     write('out/a.bin', 'mine');
     expect(batch('src')).toMatchObject({
       code: 1,

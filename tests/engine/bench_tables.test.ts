@@ -8,7 +8,7 @@ import { compareRows, numberOf, rowsOf } from '../../scripts/bench/tables.mjs';
 
 const root = join(import.meta.dirname, '..', '..');
 
-test('every benchmark that writes into a document is in the list, and every entry is there', () => {
+test('every benchmark that writes into a document is registered, and every entry exists', () => {
   for (const { script, document } of BENCHES) {
     expect(existsSync(join(root, script))).toBe(true);
     if (document) expect(existsSync(join(root, document))).toBe(true);
@@ -32,7 +32,7 @@ test('tables are read with bars and with tabs', () => {
   expect(['1,234 ms', 'x0.5', '-2e-3', '~7', 'none'].map(numberOf)).toEqual([1234, 0.5, -0.002, 7, NaN]);
 });
 
-test('numbers are compared row by row, also where rows have one name', () => {
+test('numbers are compared row by row, also if rows have equal names', () => {
   const before = [
     ['a', '10', '5'],
     ['a', '1'],

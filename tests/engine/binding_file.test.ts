@@ -56,7 +56,7 @@ describe('a binding file', () => {
       expect(barycentric[3 * v] + barycentric[3 * v + 1] + barycentric[3 * v + 2]).toBeCloseTo(1, 6);
   });
 
-  it('counts triangles with back sides, and turned ones, as the exported file has them', async () => {
+  it('numbers triangles with back sides, and reversed ones, as in the exported file', async () => {
     const { positions, triangles } = grid(12, 12);
     const height = (v: number) => 0.1 * Math.sin(5 * positions[3 * v]);
     const lines = Array.from({ length: positions.length / 3 }, (_, v) =>

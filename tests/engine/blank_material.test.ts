@@ -5,12 +5,12 @@ import { isBlankMaterial } from '../../web/app/viewer/file/blank_material';
 const made = (change: THREE.MeshStandardMaterialParameters = {}) =>
   new THREE.MeshStandardMaterial({ roughness: 1, ...change });
 
-test('a material of a name alone is blank', () => {
+test('a material with nothing but a name is blank', () => {
   expect(isBlankMaterial(made())).toBe(true);
   expect(isBlankMaterial(made({ name: 'Leather', metalness: 1, side: THREE.DoubleSide }))).toBe(true);
 });
 
-test('a material that says anything of its look is not blank', () => {
+test('a material with any property of its appearance is not blank', () => {
   const said: THREE.MeshStandardMaterialParameters[] = [
     { color: '#fefefe' },
     { emissive: '#010101' },

@@ -218,7 +218,7 @@ function isReadBy(method: Settings['method'], setting: RunSettingName, reader: S
 }
 
 describe('a run over a body', () => {
-  it('has a reader for every setting, or says that no stage reads it', () => {
+  it('has a stage that reads each setting, or lists it as read by none', () => {
     const read = new Set(NAMES.flatMap((name) => STAGES[name].reads as readonly RunSettingName[]));
     const all = [
       ...(Object.keys(OPTIONS) as RunSettingName[]),
@@ -279,7 +279,7 @@ describe('a run over a body', () => {
     expect(run.secondsOf(STAGES.history, { ...settings, creases: 3 })).toBe(0);
   });
 
-  it('releases what the core keeps for it as soon as another value takes its place', () => {
+  it('releases a handle of the core as soon as another value replaces it', () => {
     const released: number[] = [];
     const counting: Core = {
       ...core,
@@ -300,7 +300,7 @@ describe('a run over a body', () => {
     expect(new Set(released).size).toBe(2);
   });
 
-  it('makes again what was made from something that the core keeps no longer', () => {
+  it('recomputes values that were made from a released handle', () => {
     const { run } = startRun();
     const settings = everything('limber');
     const deviation = run.get(fittedDeviationsStage, settings)(14);

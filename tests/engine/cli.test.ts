@@ -152,7 +152,7 @@ describe('limber optimize', () => {
     expect(existsSync(path('floor.glb'))).toBe(true);
   });
 
-  it('says how to go further if seams stop it, and then does so', () => {
+  it('says how to go further if seams stop it, and goes further with that option', () => {
     // Every face has its own part of the texture.
     const lines = toObj(torus()).trim().split('\n');
     const faces = lines.filter((line) => line.startsWith('f'));
@@ -639,7 +639,7 @@ describe('limber modes', () => {
     expect(modes!.map(({ name }) => name)).toEqual(['bend', 'bend', 'twist', 'stretch', 'bend', 'bend']);
   });
 
-  it('refuses a body without area, and tells of one beside others', () => {
+  it('refuses a body without area, and warns of one among others', () => {
     const line = 'o line\nv 0 0 9\nv 1 0 9\nv 2 0 9\nf -3 -2 -1\n';
     writeFileSync(path('line.obj'), line);
     expect(limber('modes', 'line.obj')).toEqual({

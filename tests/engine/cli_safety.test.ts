@@ -80,7 +80,7 @@ beforeAll(async () => {
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 describe('a file that is there', () => {
-  it('stays where limber did not write it, without --force, and nothing else is made', () => {
+  it('that limber did not write is kept without --force, and nothing else is written', () => {
     writeFileSync(path('mine.glb'), 'precious');
     const before = state();
     expect(limber('optimize torus.obj mine.glb --report new.json')).toMatchObject({
@@ -94,7 +94,7 @@ describe('a file that is there', () => {
     expect(readFileSync(path('mine.glb'), 'latin1').slice(0, 4)).toBe('glTF');
   });
 
-  it('is replaced where an earlier run wrote it: OUT, levels, report, binding and settings', () => {
+  it('from an earlier run is replaced: OUT, levels, report, binding and settings', () => {
     const words =
       'optimize torus.obj again.glb --method qem --lods 0.2 --max-deviation 0 --report again.json --bind bind.json --quiet';
     const tuned = 'tune torus.obj again.glb --solver shell --settings tuned.json --quiet';
@@ -117,7 +117,7 @@ describe('a file that is there', () => {
 });
 
 describe.skipIf(!existsSync('/dev/full'))('a disk that is full', () => {
-  it('is refused in one sentence where the system cannot look there', () => {
+  it('is refused in one sentence if the system cannot access it', () => {
     const long = `${'a'.repeat(256)}.glb`;
     const reasons = { 'torus.obj/x.glb': 'a folder of its path is a file', [long]: 'its name is too long' };
     for (const [name, reason] of Object.entries(reasons))
@@ -157,7 +157,7 @@ describe.skipIf(!existsSync('/dev/full'))('a disk that is full', () => {
 });
 
 describe('exit codes', () => {
-  it('are 2 for a target that was asked for, and 0 with --soft, which tells the same', () => {
+  it('are 2 for a missed target that the user gave, and 0 with --soft, with the same message', () => {
     const asked = limber('optimize torus.obj a.glb --method qem --faces 1 --max-deviation 0 --quiet');
     expect(asked.code).toBe(2);
     expect(asked.stderr).toMatch(/^limber: Stopped at \d+ faces, not 1: .*\.\n$/);
@@ -191,7 +191,7 @@ describe('exit codes', () => {
 });
 
 describe('faces that lie on others', () => {
-  it('count alike in all lines, which say that they are in the result', () => {
+  it('are counted in the same way in all lines, which say that they are in the result', () => {
     const faces = toObj(torus()).match(/^f .*$/gm)!;
     writeFileSync(path('double.obj'), `${toObj(torus())}\n${faces.join('\n')}\n`);
     const locked = limber('optimize double.obj a.glb --method qem --lock low:100');
@@ -206,7 +206,7 @@ describe('faces that lie on others', () => {
 });
 
 describe('many bodies', () => {
-  it('with the same warning are one line, and a line each with --verbose', () => {
+  it('with the same warning share one line, or have a line each with --verbose', () => {
     const words = 'optimize many.glb a.glb --method qem';
     const put = 'and put back on each face that is left';
     expect(limber(words).stderr).toBe(`limber: each of 30 bodies: 2 duplicate faces set aside ${put}.\n`);
@@ -216,7 +216,7 @@ describe('many bodies', () => {
     expect(limber(`${words} --quiet`).stderr).toBe('');
   });
 
-  it('are chosen by patterns; the others stay, and the report has what was asked', async () => {
+  it('are chosen by patterns; the others stay, and the report has the patterns', async () => {
     const words = 'optimize many.glb a.glb --method qem --mesh part?1* --exclude part?1 --json';
     const { code, stdout } = limber(words);
     expect(code).toBe(0);
@@ -242,7 +242,7 @@ describe('pipes', () => {
     expect([quiet.stderr, quiet.bytes.equals(piped.bytes)]).toEqual(['', true]);
   });
 
-  it('are sniffed: a text without a name is read by what it starts with', () => {
+  it('are sniffed: the format of a text without a name follows from its beginning', () => {
     const { code, stdout } = limber('inspect -', { input: readFileSync(path('torus.obj')) });
     expect([code, stdout.split('\n')[0]]).toEqual([0, 'stdin: OBJ, 1 body']);
     expect(limber('inspect -', { input: new Uint8Array() })).toMatchObject({
@@ -273,7 +273,7 @@ describe('--dry-run', () => {
     expect(state()).toEqual(before);
   });
 
-  it('says where a link leads, and of no other path that it leads elsewhere', () => {
+  it('names the target of a link, and only of a link', () => {
     symlinkSync('end.glb', path('leading.glb'));
     const written = (out: string) => limber(`optimize torus.obj ${out} --dry-run`).stdout.split('\n')[1];
     expect(written('leading.glb')).toBe(`would write leading.glb, which leads to ${path('end.glb')}`);
@@ -358,7 +358,7 @@ describe('--dry-run', () => {
 });
 
 describe('a file without triangles', () => {
-  it('is passed on as it is, again and again, and refused where there is nothing to say of it', async () => {
+  it('is passed through unchanged, also repeatedly, and refused with options that need triangles', async () => {
     for (let i = 0; i < 2; ++i)
       expect(limber('optimize points.glb passed.glb')).toMatchObject({
         code: 0,

@@ -48,13 +48,13 @@ test('names of files stay names, whatever is in them', () => {
   }
 });
 
-test('further files are asked for, and a result above the target is no failure', () => {
+test('further files are requested, and a result above the target is no failure', () => {
   const asked = { ...files, binding: 'b.json', settings: 's.json', fields: true, isMissed: true };
   const found = parsed(commandLine({ ...defaultSettings(), solver: 'shell' }, 'a.glb', 'b.glb', asked));
   expect(found).toMatchObject({ bind: 'b.json', settingsFile: 's.json', fields: true, soft: true });
 });
 
-test('a name without letters, as of a variable that is not set, is refused by what it stands for', () => {
+test('an empty name, as from an unset variable, is refused with the argument that it is for', () => {
   const refused = (...words: string[]) =>
     expect(() => parseArguments(words)).toThrow(/^(\S+) is empty: give the name of a file: limber /);
   refused('optimize', '', 'out.glb');

@@ -48,10 +48,10 @@ async function passOn(model: OpenModel, bytes: Uint8Array): Promise<Uint8Array> 
   return (await passThrough(model, bytes, { name: 'out.glb', form }))[0].bytes;
 }
 
-describe('a companion that is not at its place', () => {
+describe('a companion that is not at its path', () => {
   const moved = (files: SourceFile[], name: string): SourceFile[] => [files[0], { ...files[1], name }];
 
-  it('is found by its name where it came without a folder', async () => {
+  it('is found by its name if it came without a folder', async () => {
     const model = await openModel(moved(triangleAt('parts/data.bin', 'wood.png'), 'data.bin'));
     expect(model.bodies).toHaveLength(1);
   });
@@ -61,14 +61,14 @@ describe('a companion that is not at its place', () => {
     expect((await openModel(files)).bodies).toHaveLength(1);
   });
 
-  it('is no file of that name from another folder', async () => {
+  it('is not replaced by a file of that name from another folder', async () => {
     const files = moved(triangleAt('a/data.bin', 'wood.png'), 'b/data.bin');
     expect(await failureOf(() => openModel(files))).toMatch(
       /^test.gltf needs a\/data.bin, which is not there/,
     );
   });
 
-  it('is no file that another address means', async () => {
+  it('is not replaced by a file that another address refers to', async () => {
     const [main, data] = triangleAt('data.bin', 'a/data.bin');
     const model = await openModel([main, data]);
     expect(model.notes.join()).toContain('texture (a/data.bin) is not there');
@@ -111,12 +111,12 @@ describe('the address of a companion', () => {
     expect(companionNames(triangleAt(uri, uri)[0])).toEqual([]);
   });
 
-  it('may go up within the folders that the names of all files have', () => {
+  it('may go up within the folders in the names of all files', () => {
     expect(companionPath('set/models/a.gltf', '../skins/b.png')).toBe('set/skins/b.png');
     expect(companionPath('set/models/a.gltf', '../../../b.png')).toBeNull();
   });
 
-  it('outside of the folder is refused for a buffer, whatever files there are', async () => {
+  it('outside of the folder is refused for a buffer, whatever files are given', async () => {
     const [main, data] = triangleAt('../data.bin', 'skin.png');
     expect(await failureOf(() => openModel([main, data]))).toBe(
       'test.gltf names ../data.bin, which is outside of its folder and is not read: put the file beside it and name it without a path.',
@@ -124,7 +124,7 @@ describe('the address of a companion', () => {
   });
 });
 
-describe('an image that is not there', () => {
+describe('a missing image', () => {
   it.each(['skins/my%20skin.png', '../skin.jpg', 'https://example.org/skin.png'])(
     'stays a reference to %s, and is said',
     async (uri) => {
@@ -140,7 +140,7 @@ describe('an image that is not there', () => {
     },
   );
 
-  it('is one of many that are named up to five', async () => {
+  it('is named with others up to five', async () => {
     const [main, data] = triangleAt('data.bin', 'a.png');
     const json = JSON.parse(new TextDecoder().decode(main.bytes)) as Json;
     json.images = Array.from({ length: 7 }, (_, i) => ({ uri: `${i}.png` }));
@@ -197,7 +197,7 @@ describe('a glTF without triangles', () => {
     expect(jsonOf(bytes).images).toMatchObject([{ uri: 'skin.png' }]);
   });
 
-  it('says once of many meshes that they have no triangles', async () => {
+  it('has one note for all meshes without triangles', async () => {
     const document = startDocument();
     for (const name of ['a', 'b', 'c', 'd', 'e', 'f']) addMesh(document, name, []);
     addRichMesh(document, 'cube', cube());
@@ -231,7 +231,7 @@ it('a texture without any image is left out with a note, also one that is transf
   expect((await open([{ source: 0 }, {}])).notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is not there/);
 });
 
-it('an image that is nowhere is no obstacle, and its texture is left out with a note', async () => {
+it('a texture whose image has neither file nor view is left out with a note', async () => {
   const [{ bytes }, data] = triangleAt('data.bin', 'wood.png');
   const json = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
   const open = (changes: object) =>
@@ -259,7 +259,7 @@ it('an image that is nowhere is no obstacle, and its texture is left out with a 
   expect((await written(foreign)).images).toEqual([{ name: 'a' }]);
 });
 
-it('data in an address are read in base64, in any case, and as escaped bytes', async () => {
+it('data URIs are read in base64, in any case, and percent-encoded', async () => {
   const [{ bytes }, data] = triangleAt('data.bin', 'wood.png');
   const text = new TextDecoder().decode(bytes);
   const letters = String.fromCharCode(...data.bytes);
@@ -277,7 +277,7 @@ it('data in an address are read in base64, in any case, and as escaped bytes', a
   }
 });
 
-it('a second image for viewers without WebP is left out with a note, and WebP is required then', async () => {
+it('a fallback image for viewers without WebP is left out with a note, and WebP is required', async () => {
   const [{ bytes }, data] = triangleAt('data.bin', 'wood.png');
   const json = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
   const model = await openModel([

@@ -3,12 +3,12 @@ import { describeConvergence, substepsToTake } from '../../web/engine/motion/con
 
 const found = { substeps: 20, substepDeviation: 3, deviationMean: 2.4, isConverged: false };
 
-describe('what is said of substeps', () => {
-  it('is nothing where the original has converged', () => {
+describe('the sentence about substeps', () => {
+  it('is absent if the original has converged', () => {
     expect(describeConvergence({ ...found, isConverged: true }, String)).toBeNull();
   });
 
-  it('is what they make of the deviation that is shown, and what to take', () => {
+  it('has the deviation of the original from itself, and the substeps to take', () => {
     expect(describeConvergence(found, (substeps) => `take --substeps ${substeps}`)).toBe(
       'At 20 substeps the deviation of 2.4 % is not to be trusted, as 40 move the original alone by 3.0 %: take --substeps 100.',
     );

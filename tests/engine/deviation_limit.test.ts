@@ -24,15 +24,15 @@ const within = (fewest: number, asked: number[] = []) => ({
   },
 });
 
-describe('the faces at which a largest deviation stops a body', () => {
-  it('are those that are asked for where these are within it, by a single measurement', () => {
+describe('the faces at which a deviation limit stops a body', () => {
+  it('are the requested ones if these are within it, after a single measurement', () => {
     const asked: number[] = [];
     expect(facesWithin(historyOf(300), 600, within(500, asked))).toBe(600);
     expect(asked).toEqual([600]);
     expect(facesWithin(historyOf(0), 600, within(2000))).toBe(1000);
   });
 
-  it.each([1000, 998, 700, 406, 404, 402])('are the fewest from %i faces on that are within it', (fewest) => {
+  it.each([1000, 998, 700, 406, 404, 402])('are the fewest that are within it, if those are %i', (fewest) => {
     for (const guess of [undefined, 0, 150, 299, 300]) {
       const asked: number[] = [];
       const found = facesWithin(historyOf(300), 1, { ...within(fewest, asked), guess });
@@ -42,7 +42,7 @@ describe('the faces at which a largest deviation stops a body', () => {
     }
   });
 
-  it('never are faces that have not been measured to be within it', () => {
+  it('have always been measured to be within it', () => {
     const isWithin = (faces: number) => faces % 16 < 6;
     const found = facesWithin(historyOf(300), 410, { isWithin });
     expect(found === 1000 || isWithin(found)).toBe(true);
@@ -59,13 +59,13 @@ describe('the faces at which a largest deviation stops a body', () => {
 describe('fewer faces than those at which a body has stopped', () => {
   const faces = Uint32Array.from({ length: 480 }, (_, i) => 1000 - 2 * i);
 
-  it('are asked about once where there are none', () => {
+  it('are tested once if there are none', () => {
     const asked: number[] = [];
     expect(fewerFacesWithin(faces, [600, 100], within(600, asked).isWithin)).toBe(600);
     expect(asked).toEqual([588]);
   });
 
-  it.each([590, 500, 302, 102])('are the fewest from %i faces on', (fewest) => {
+  it.each([590, 500, 302, 102])('are the fewest within the limit, if those are %i', (fewest) => {
     const asked: number[] = [];
     const found = fewerFacesWithin(faces, [600, 100], within(fewest, asked).isWithin);
     expect(found).toBeGreaterThanOrEqual(fewest);
@@ -73,7 +73,7 @@ describe('fewer faces than those at which a body has stopped', () => {
     expect(asked.length).toBeLessThan(12);
   });
 
-  it('end at those that are wanted', () => {
+  it('are never fewer than the wanted number', () => {
     const asked: number[] = [];
     expect(fewerFacesWithin(faces, [600, 400], within(0, asked).isWithin)).toBe(400);
     expect(Math.min(...asked)).toBe(400);

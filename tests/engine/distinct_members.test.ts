@@ -9,7 +9,7 @@ import { inspectBody } from '../../web/engine/stages/prepared';
 import { loadTestCore } from './support/core';
 import { addMesh, floats, glbFile, startDocument } from './support/gltf';
 
-it('members of long groups are found as those of short ones, and looked at rarely', () => {
+it('members of long groups are found like those of short ones, with few comparisons', () => {
   const values: number[] = [];
   const members = new DistinctMembers((one) => extendHash(0, values[one]));
   let looks = 0;

@@ -14,7 +14,7 @@ const positionsOf = (arrays: Float32Array[]): Set<string> =>
     ),
   );
 
-it('keeps vertices that primitives share in one place, in every mesh that has one of them', async () => {
+it('keeps vertices that primitives share at one position, in every mesh that has one of them', async () => {
   const { positions, triangles } = torus();
   const document = startDocument();
   const parts = [0.15, 0.5, 1].map((end, i, ends) => {

@@ -28,7 +28,7 @@ describe("a file of an engine's parameters", () => {
     );
   });
 
-  it('is a settings file, of which it takes what the original had, not what was tuned', () => {
+  it('can be a settings file, of which the parameters of the original are taken, not the tuned ones', () => {
     const settings = settingsFile([sheet()], { ...SILK, bendRatio: 0.05, engine: 'mCompliance=1e-5' });
     const { original, engine } = settings;
     const { text, material } = engineOfText('s.json', writeSettings(settings));
@@ -40,7 +40,7 @@ describe("a file of an engine's parameters", () => {
     );
   });
 
-  it('is a settings file without a record of what was given, of which it takes all parameters', () => {
+  it('can be a settings file without a list of given parameters, of which all are taken', () => {
     const { given, ...earlier } = settingsFile([sheet()], { ...SILK, bendRatio: 0.05, engine: '' });
     const { original, engine } = earlier;
     expect(given).toEqual([]);
@@ -51,7 +51,7 @@ describe("a file of an engine's parameters", () => {
     );
   });
 
-  it('leaves to a material beside it what followed from its own', () => {
+  it('lets another material override the parameters that were derived from its own', () => {
     const settings = { ...SILK, bendRatio: 0.05, engine: 'compliance=1e-5' };
     const file = join(folder, 's.json');
     writeFileSync(file, writeSettings(settingsFile([sheet()], settings)));

@@ -75,7 +75,7 @@ describe('equal bodies', () => {
     expect(counting.calls.get('fitShape')).toBeLessThanOrEqual(6);
   });
 
-  it('come out as they do alone', async () => {
+  it('give the results that they give alone', async () => {
     const all = await optimized(partsScene(3, true), core);
     const [first, , third] = (await readGlb(await all.output.glb())).getRoot().listMeshes();
     const positions = [first, third].map((mesh) =>
@@ -101,7 +101,7 @@ function twoBalls(radius: number): Document {
 }
 
 describe('the share of a body in its scene', () => {
-  it('is that of its diagonal where it stands', async () => {
+  it('is that of its diagonal in the scene', async () => {
     const document = startDocument();
     addMesh(document, 'body', [primitiveOf(document, sized(1))]);
     const [node] = document.getRoot().listNodes();
@@ -129,7 +129,7 @@ describe('the share of a body in its scene', () => {
     }
   });
 
-  it('saves the solve of bodies too small, which are reduced all the same', async () => {
+  it('skips the modes of bodies that are too small, which are still reduced', async () => {
     const counting = counted();
     const { output } = await optimized(twoBalls(0.05), counting.core);
     expect(counting.calls.get('findModes')).toBe(1);

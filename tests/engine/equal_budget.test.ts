@@ -119,7 +119,7 @@ const verticesOf = ({ positions }: { positions: Float32Array }): string[] =>
   Array.from({ length: positions.length / 3 }, (_, v) => positions.subarray(3 * v, 3 * v + 3).join(' '));
 
 describe('methods at an equal budget', () => {
-  it('knows area and volume of a cube', () => {
+  it('computes area and volume of a cube', () => {
     const { area, volume } = sizesOf(cube(4));
     expect(area).toBeCloseTo(24, 5);
     expect(volume).toBeCloseTo(8, 5);
@@ -143,7 +143,7 @@ describe('methods at an equal budget', () => {
     }
   });
 
-  it('lifts what would stop a method, and keeps the weights of the chosen one', () => {
+  it('lifts the limits that would stop a method, and keeps the weights of the chosen one', () => {
     const settings = { ...defaultSettings(), strainWeight: 7, maxDeviation: 2, minAngle: 5 };
     const own = withoutLimits(settingsForMethod(settings, 'limber'));
     expect(own).toMatchObject({ strainWeight: 7, maxDeviation: 0, minAngle: 0, maxFrequencyError: 0 });
@@ -159,7 +159,7 @@ describe('a method at a budget', () => {
     core = await loadTestCore(1);
   });
 
-  it('is measured as the page measures its result, and leaves what the page has as it is', async () => {
+  it('is measured like the result of the page, whose own values stay unchanged', async () => {
     const run = runOfMesh(core, torus(24, 16));
     const settings = { ...defaultSettings(), maxDeviation: 0 };
     const faces = 300;
@@ -179,7 +179,7 @@ describe('a method at a budget', () => {
     expect(run.get(STAGES.fitted, shown)).toBe(fitted);
   });
 
-  it('reaches the budget where a limit would stop it before', async () => {
+  it('reaches the budget although a limit would stop it before', async () => {
     const run = runOfMesh(core, torus(24, 16));
     const settings = { ...defaultSettings(), maxDeviation: 0.05 };
     expect(

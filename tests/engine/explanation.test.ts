@@ -28,13 +28,13 @@ describe('the explanation of a kept vertex', () => {
     expect(reasons.map(({ share }) => share)).toEqual([0.75, 0.125, 0.125]);
   });
 
-  it('says how many of the removable vertices go before it', () => {
+  it('says how many of the removable vertices are removed before it', () => {
     expect(explain(why, 0).sentence).toBe('0 % of the vertices go before it.');
     expect(explain(why, 1).sentence).toBe('33 % of the vertices go before it.');
     expect(explain(why, 2)).toMatchObject({ sentence: '67 % of the vertices go before it.', keep: 50 });
   });
 
-  it('says what refuses its collapses', () => {
+  it('says why its collapses are refused', () => {
     expect(explain(why, 3).sentence).toBe('It cannot go: the topology would change.');
   });
 

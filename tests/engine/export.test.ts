@@ -46,7 +46,7 @@ function positionsOfCorners(mesh: Mesh): number[][] {
 }
 
 describe('an exported GLB', () => {
-  it('of nothing but positions needs no sources of its corners', async () => {
+  it('with nothing but positions needs no sources of its corners', async () => {
     const source = startDocument();
     addMesh(source, 'torus', [primitiveOf(source, torus())]);
     const files = [await glbFile(source), textFile('torus.obj', toObj(torus()))];
@@ -124,7 +124,7 @@ describe('an exported GLB', () => {
     expect(info.getExtension('KHR_texture_transform')).not.toBeNull();
   });
 
-  it('lists what shapes replace, and the extensions that are valid for old vertices only', async () => {
+  it('lists what shapes replace, and the extensions that are valid only for the old vertices', async () => {
     const source = startDocument();
     const features = source.createExtension(EXTMeshFeatures);
     const implicit = features.createFeatures().addFeatureID(features.createFeatureID().setFeatureCount(8));
@@ -308,7 +308,7 @@ describe('an exported GLB', () => {
     expect(await attribute(false, '_STRAIN')).toBeUndefined();
   });
 
-  it('has nothing of an earlier run where a mesh is replaced, and all of it where it is kept', async () => {
+  it('drops what an earlier run wrote about a replaced mesh, and keeps it for others', async () => {
     const source = startDocument();
     const earlier = ['_STRAIN', '_CURVATURE', '_LIMBER_MASS', '_LIMBER_BEND'];
     const extras = { limberSettings: { solver: 'newton' }, limberCalibration: 2, mood: 1 };

@@ -4,7 +4,7 @@ import { ShaderChunk } from 'three';
 import { expect, test } from 'vitest';
 import { shadeFolds } from '../../web/app/viewer/file/fold_shading';
 
-test('the normal of the side behind is turned only where it points away from the eye, but in flat shading, which has none', () => {
+test('the normal of a back side is flipped only if it points away from the eye, and never in flat shading, which has none', () => {
   expect(ShaderChunk.normal_fragment_begin).not.toContain('isSeen');
   shadeFolds();
   const lines = ShaderChunk.normal_fragment_begin.split('\n').map((line) => line.trim());

@@ -32,7 +32,7 @@ const write = async (model: OpenModel): Promise<Json> =>
 const check = (model: OpenModel, dropExtensions = '', name = 'out.glb') =>
   checkWritten(model, [0], { name, settings: { ...defaultSettings('limber'), dropExtensions } });
 
-describe('an extension that is not understood', () => {
+describe('an unknown extension', () => {
   it('is carried from the file, nodes, meshes, materials and infos on textures', async () => {
     const model = await modelWith(
       (json) => {
@@ -51,7 +51,7 @@ describe('an extension that is not understood', () => {
     expect(json.extensionsUsed).toContain('ACME_note');
   });
 
-  it('keeps the textures that VRM names by number', async () => {
+  it('keeps the textures that VRM refers to by index', async () => {
     const model = await modelWith(
       (json) => {
         json.samplers = [{ wrapS: 33071 }];
@@ -98,7 +98,7 @@ describe('an extension that is not understood', () => {
     expect(json.extensionsRequired).toContain('KHR_animation_pointer');
   });
 
-  it('is refused by name on what changes, unless it is named to be left out or the body stays', async () => {
+  it('is refused by name on a mesh that changes, unless it may be dropped or the body is excluded', async () => {
     const model = await modelWith(
       (json) => (json.meshes![0].primitives[0].extensions = { ACME_hair: { strands: 3 } }),
       ['ACME_hair'],
@@ -112,7 +112,7 @@ describe('an extension that is not understood', () => {
     expect((await write(model)).meshes![0].primitives[0].extensions).toEqual({ ACME_hair: { strands: 3 } });
   });
 
-  it('is refused where it alone has the image of a texture', async () => {
+  it('is refused if only it has the image of a texture', async () => {
     const model = await modelWith(
       (json) => {
         json.textures = [{ extensions: { MSFT_texture_dds: { source: 0 } } } as GLTF.ITexture];
@@ -126,7 +126,7 @@ describe('an extension that is not understood', () => {
     expect(check(model, 'MSFT_*').lost).toEqual(['extension MSFT_texture_dds']);
   });
 
-  it('is refused where it refers to data that is written anew', async () => {
+  it('is refused if it refers to data that is rewritten', async () => {
     const onAccessor = await modelWith(
       (json) => (json.accessors![0].extensions = { ACME_a: {} }),
       ['ACME_a'],
@@ -145,7 +145,7 @@ describe('an extension that is not understood', () => {
 });
 
 describe('errors of a result', () => {
-  it('are those that the input has not', async () => {
+  it('are those that the input lacks', async () => {
     const document = startDocument();
     addRichMesh(document, 'rich', cube());
     const { bytes } = await glbFile(document);

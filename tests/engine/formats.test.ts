@@ -102,7 +102,7 @@ describe('a written file', () => {
     }
   });
 
-  it('declares integers also where positions stay floats, as those of a skin without inverse bind matrices', async () => {
+  it('declares integers also if positions stay floats, as in a skin without inverse bind matrices', async () => {
     const document = startDocument();
     addRichMesh(document, 'rich', torus());
     for (const skin of document.getRoot().listSkins()) skin.setInverseBindMatrices(null);
@@ -165,7 +165,7 @@ describe('a written file', () => {
     expect(worst).toBeGreaterThan(1e-7);
   });
 
-  it('is stored like its input, in steps of its input’s own grid', async () => {
+  it('is stored like its input, on the quantization grid of its input', async () => {
     for (const compression of ['quantized', 'meshopt', 'draco'] as const) {
       const input = await write(await richModel(), 'a.glb', { compression });
       const model = await openModel(input);
@@ -252,7 +252,7 @@ describe('a written file', () => {
     },
   );
 
-  it('has a material with a thickness once, in the scale of its integers, and one that nothing shows', async () => {
+  it('has a material with a thickness once, in the quantized scale, and an unused one', async () => {
     const document = startDocument();
     const volume = document.createExtension(KHRMaterialsVolume).createVolume().setThicknessFactor(0.5);
     const glass = document.createMaterial('glass').setExtension('KHR_materials_volume', volume);
@@ -293,7 +293,7 @@ describe('a written file', () => {
     expect(shown.map((node) => node.getWeights()[0])).toEqual([1, 0.5]);
   });
 
-  it('says nothing on the console where an attribute cannot be quantized', async () => {
+  it('prints nothing to the console if an attribute cannot be quantized', async () => {
     const model = await openModel([textFile('a.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt -3 5\nf 1/1 2/1 3/1\n')]);
     const words = (['log', 'info', 'warn', 'error', 'debug'] as const).map((name) =>
       vi.spyOn(console, name).mockImplementation(() => {}),
@@ -377,7 +377,7 @@ describe('levels in one file', () => {
     expect((await validateFiles(files))!.errors).toBe(0);
   });
 
-  it('leave a node where it is of which nothing but weights is animated, and move it where it is', async () => {
+  it('keep a node of which only weights are animated, and give the mesh of a moving one a child node', async () => {
     const nodesOf = async (path: 'weights' | 'translation') => {
       const document = startDocument();
       const target = document
@@ -417,7 +417,7 @@ describe('a ZIP', () => {
   const text = (words: string) => new TextEncoder().encode(words);
   const SQUARE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n';
 
-  it('is opened with what it holds, whatever systems add to it', async () => {
+  it('is opened with its contents, whatever operating systems add to it', async () => {
     const bytes = zipSync({
       'a/square.obj': text(SQUARE),
       '__MACOSX/a/._square.obj': text('x'),
@@ -426,7 +426,7 @@ describe('a ZIP', () => {
     expect((await openModel([{ name: 'a.zip', bytes }])).bodies[0].indices).toHaveLength(6);
   });
 
-  it('is refused where a file leads out of it or it announces more than it can hold', async () => {
+  it('is refused if a path leads out of it or it declares more than it can hold', async () => {
     const open = (name: string, bytes: Uint8Array): Promise<string> =>
       failureOf(() => openModel([{ name, bytes }]));
     for (const name of ['../x.obj', 'a/../../x.obj', '/etc/x.obj', 'C:x.obj', 'a\\..\\x.obj'])
@@ -454,7 +454,7 @@ describe('a ZIP', () => {
 describe('OFF', () => {
   const open = (words: string): Promise<OpenModel> => openModel([textFile('a.off', words)]);
 
-  it('gets past control characters, where a word would be', async () => {
+  it('is read past control characters in place of a word', async () => {
     for (const control of ['\u0000', '\u0001', '\u001f']) {
       const { bodies } = await open(`OFF\n3 1 0\n0 0 0 ${control}\n1 0 0\n0 1 0\n3 0 1 2\n`);
       expect(Array.from(bodies[0].positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);

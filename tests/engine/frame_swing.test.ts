@@ -18,7 +18,7 @@ function reach(camera: PerspectiveCamera, x: number, y: number, z: number): numb
   return Math.max(Math.abs(seen.x), Math.abs(seen.y));
 }
 
-test('a body that stretches or swings towards the eye stays in its picture and nearly fills it', () => {
+test('a body that stretches or swings towards the eye stays in the frame and nearly fills it', () => {
   for (const aspect of [0.5, 1.4]) {
     const camera = new PerspectiveCamera(30, aspect);
     frameSwing(camera, new Sphere(new Vector3(), 1), new Vector3(0, 0, 2), swing);
@@ -27,7 +27,7 @@ test('a body that stretches or swings towards the eye stays in its picture and n
   }
 });
 
-test('a narrow picture shows a wide body from farther away', () => {
+test('a narrow frame shows a wide body from farther away', () => {
   const wide = { ...swing, positions: Float32Array.of(-1, 0, 0, 1, 0, 0) };
   const distances = [0.5, 1].map((aspect) => {
     const camera = new PerspectiveCamera(30, aspect);

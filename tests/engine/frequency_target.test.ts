@@ -14,7 +14,7 @@ const search = (errorAt: (faces: number) => number, fewest = 4, most = 10_000, l
   fewestFacesWithin((faces) => ({ faces, error: errorAt(faces) }), { fewest, most, limit });
 
 describe('the search for the fewest faces', () => {
-  it('ends within 2 % of where errors cross the limit', () => {
+  it('ends within 2 % of the crossing of errors and limit', () => {
     for (const crossing of [7, 123, 4567, 9990]) {
       const { best, finding } = search((faces) => crossing / faces);
       expect(best.faces).toBeGreaterThanOrEqual(crossing);

@@ -27,7 +27,7 @@ function gifOf(pictures: Uint8ClampedArray<ArrayBuffer>[], milliseconds = 50): U
 const farthest = (shown: Uint8ClampedArray, drawn: Uint8ClampedArray): number =>
   shown.reduce((most, value, i) => Math.max(most, Math.abs(value - drawn[i])), 0);
 
-test('a GIF has every frame, each as large and as long as asked for, and plays again and again', () => {
+test('a GIF has every frame, each of the requested size and duration, and loops', () => {
   const drawn = Array.from({ length: 12 }, (_, frame) => picture(frame));
   const { frames, ...rest } = readGif(gifOf(drawn.map((one) => one.slice())));
   expect(rest).toEqual({ width, height, isEndless: true });
@@ -36,7 +36,7 @@ test('a GIF has every frame, each as large and as long as asked for, and plays a
   frames.forEach(({ rgba }, i) => expect(farthest(rgba, drawn[i])).toBeLessThanOrEqual(16));
 });
 
-test('what does not move keeps the very colour that it had', () => {
+test('pixels that do not change keep exactly their colour', () => {
   const { frames } = readGif(gifOf([picture(0), picture(3), picture(6)]));
   const ground = 4 * (15 * width + 40);
   const colour = (frame: number): number[] => [...frames[frame].rgba.subarray(ground, ground + 4)];
@@ -52,7 +52,7 @@ test('a still takes a fraction of the first frame', () => {
   );
 });
 
-test('noise, which needs more colours than a GIF has, is read back to its last pixel', () => {
+test('noise, which needs more colours than a GIF has, decodes to the last pixel', () => {
   let seed = 1;
   const noise = picture(0).map((_, i) => (i % 4 === 3 ? 255 : (seed = (seed * 16807) % 2147483647) & 255));
   const { frames } = readGif(gifOf([noise, picture(2)]));

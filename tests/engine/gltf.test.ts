@@ -153,7 +153,7 @@ describe('glTF', () => {
     expect((await openModel(flat)).bodies[0].indices).toHaveLength(3);
   });
 
-  it('calls meshes of one name by their nodes', async () => {
+  it('names meshes with equal names after their nodes', async () => {
     const document = startDocument();
     for (const [mesh, node] of [
       ['Mesh', 'left'],

@@ -107,7 +107,7 @@ describe('normals that follow from the angle between faces', () => {
     expect(seamCount(opened)).toBe(24);
   });
 
-  it('are values like any other where no angle tells hard edges from soft ones', async () => {
+  it('are ordinary attributes if no angle separates hard edges from soft ones', async () => {
     // The strips of one flat sheet take turns: at all angles between faces, which are 0, some edges are hard.
     const opened = await open(grid(4, 4), (_face, _corner, triangle) =>
       triangle % 16 < 8 ? [0, 0, 1] : [0, 0.6, 0.8],
@@ -128,7 +128,7 @@ describe('normals that follow from the angle between faces', () => {
     expect(primitive.getAttribute('POSITION')!.getCount()).toBeLessThan(1.5 * faces);
   });
 
-  it('do not hold edges, and are made again by the same angle', async () => {
+  it('do not lock edges, and are recomputed with the same angle', async () => {
     const { model, run } = await open(box(4, 4, 24), (face) => face);
     const settings = { ...defaultSettings(), modeCount: 6, maxDeviation: 0 };
     const { result } = optimized(run, settings, 60);
@@ -155,7 +155,7 @@ describe('the angle of hard edges', () => {
   const edges = innerEdgesOf(mesh);
   const cosines = cosinesOf(mesh, edges);
 
-  it('is none where no edge is hard', () => {
+  it('is absent if no edge is hard', () => {
     expect(hardCosineOf(mesh, edges, cosines, () => false)).toBeNull();
   });
 

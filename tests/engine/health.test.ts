@@ -12,7 +12,7 @@ describe('a note', () => {
     expect(wordNote(note, (setting) => OPTIONS[setting].label)).toContain('(Solve the mesh itself solves');
   });
 
-  it('about the size appears if it is implausible', () => {
+  it('about the size appears if the size is implausible', () => {
     expect(describeSize(1)).toBeNull();
     expect(inFlags(describeSize(0.0005)!)).toBe(
       'the body is 0.50 mm across: set --unit if the file is not in metres',
@@ -20,7 +20,7 @@ describe('a note', () => {
     expect(inFlags(describeSize(2e4)!)).toMatch(/^the body is 20 km across/);
   });
 
-  it('about residuals appears if they are large', () => {
+  it('about residuals appears if these are large', () => {
     expect(describeResiduals([{ residual: 1e-9 }])).toEqual([]);
     expect(describeSolve([{ residual: 1e-9 }, { residual: 1e-6 }], 0).map(inFlags)).toEqual([
       'the largest residual of the modes is 1.0e-6: needle triangles leave their last digits to rounding',

@@ -246,7 +246,7 @@ describe('a file of another kind gets its sentence', () => {
         );
   });
 
-  it('a file without an ending by what it starts with', async () => {
+  it('a file without an ending, recognised by its first bytes', async () => {
     const { bytes } = await glbFile(startDocument());
     const open = async (content: Uint8Array) =>
       (await openAnyModel([{ name: 'stdin', bytes: content }])).format;
@@ -360,7 +360,7 @@ describe('a mutated file is opened or refused with a sentence', () => {
     companions = Object.entries(written.resources).map(([name, bytes]) => ({ name, bytes }));
   });
 
-  it('of glTF, whatever stands anywhere in its JSON', async () => {
+  it('of glTF, with any value anywhere in its JSON', async () => {
     await fc.assert(
       fc.asyncProperty(fc.nat(), fc.constantFrom(...ODD), async (which, odd) => {
         await tryOpen([textFile('a.gltf', withOdd(json, which, odd)), ...companions]);

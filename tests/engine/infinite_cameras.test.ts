@@ -31,7 +31,7 @@ async function modelOf(cameras: GLTF.ICamera[]) {
   return openModel([{ ...file, bytes: withJson(file.bytes, { ...jsonOf(file), cameras }) }]);
 }
 
-it.each(['glb', 'gltf'] as const)('of a %s have no far plane where the input names none', async (format) => {
+it.each(['glb', 'gltf'] as const)('of a %s have no far plane if the input has none', async (format) => {
   const model = await modelOf(CAMERAS);
   const files = await exportFiles(model, [{ first: asResult(model.bodies[0]), further: [] }], {
     name: `out.${format}`,
@@ -43,7 +43,7 @@ it.each(['glb', 'gltf'] as const)('of a %s have no far plane where the input nam
   expect((await validateFiles(files))!.errors).toBe(0);
 });
 
-it('of meshes that stay as they are have none, either', async () => {
+it('of a model without changes have none, either', async () => {
   const bytes = await exportGlb(await modelOf(CAMERAS.slice(0, 1)), [null], { fields: false });
   expect(jsonOf({ name: 'out.glb', bytes }).cameras).toEqual(CAMERAS.slice(0, 1));
 });

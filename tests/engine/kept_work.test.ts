@@ -27,7 +27,7 @@ function storage(room = Infinity) {
 
 const file = (name: string, ...bytes: number[]) => ({ name, bytes: Uint8Array.from(bytes) });
 
-it('a file is known by its bytes, whatever it is called and whatever stands first', async () => {
+it('a file is recognised by its bytes, whatever its name and its position among others', async () => {
   const key = await contentKey([file('a.gltf', 1), file('a.bin', 2, 3)]);
   expect(await contentKey([file('b.bin', 2, 3), file('b.gltf', 1)])).toBe(key);
   expect(await contentKey([file('a.gltf', 1), file('a.bin', 2, 4)])).not.toBe(key);
@@ -36,13 +36,13 @@ it('a file is known by its bytes, whatever it is called and whatever stands firs
   expect(await contentKey([huge])).toBeNull();
 });
 
-it('a browser without digests keeps nothing', async () => {
+it('nothing is kept in a browser without digests', async () => {
   vi.stubGlobal('crypto', {});
   expect(await contentKey([file('a', 1)])).toBeNull();
   vi.unstubAllGlobals();
 });
 
-it('what is kept is read and forgotten by its key', () => {
+it('kept work is read and forgotten by its key', () => {
   const store = storage();
   keepWork(store, 'a', { link: 'pins=low%3A6&faces=9', at: 1 });
   expect(readWork(store, 'a')).toMatchObject({ settings: { pins: 'low:6' }, faces: 9 });
@@ -62,7 +62,7 @@ it.each(['', '{}', '[]', 'null', '{"at":1,"link":5}', '{"at":1,"link":"pins=left
   },
 );
 
-it('at most 50 files and a million characters are kept, of what was worked on last', () => {
+it('the last 50 files and at most a million characters are kept', () => {
   const store = storage();
   store.texts.set('other', 'x');
   for (let i = 0; i < 60; ++i) keepWork(store, String(i), { link: 'faces=9', at: i });
@@ -77,7 +77,7 @@ it('at most 50 files and a million characters are kept, of what was worked on la
   expect([store.texts.has('limber-work-large'), store.texts.has('other')]).toEqual([false, true]);
 });
 
-it('where the store is full the oldest give way, and without any an error tells', () => {
+it('if the store is full, the oldest entries are removed; without any an error is reported', () => {
   const store = storage(100);
   keepWork(store, 'a', { link: `x=${'1'.repeat(40)}`, at: 1 });
   keepWork(store, 'b', { link: `x=${'1'.repeat(40)}`, at: 2 });

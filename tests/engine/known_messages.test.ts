@@ -3,7 +3,7 @@ import { knownMessages } from '../../web/engine/document/facts/known_messages';
 
 const verdict = (...messages: string[]) => ({ errors: 0, warnings: messages.length, messages });
 
-test('messages that the input had are known, of each code at most as many', () => {
+test('messages that the input had are known, per code at most as many', () => {
   const input = verdict('A at /meshes/0: old', 'A at /meshes/1: old', 'B at /: old');
   const result = verdict('A at /meshes/7: old', 'A at /: old', 'A at /nodes/1: a third', 'C at /: new');
   expect(knownMessages(result, input)).toBe(2);

@@ -80,7 +80,7 @@ describe('levels of detail of a file', () => {
     expect(await targetsOf('ball', 'other')).not.toEqual([fine / 2, coarse / 2]);
   });
 
-  it('get no others into the same file', async () => {
+  it('cannot get further levels inside the same file', async () => {
     const model = await modelOf('ball_LOD0', 'ball_LOD1');
     const check = (lodStyle: 'msft' | 'files') =>
       checkWritten(model, [0, 1], { name: 'a.glb', settings: { ...settings, lods: [0.5], lodStyle } });

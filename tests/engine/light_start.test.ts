@@ -15,7 +15,7 @@ function textsOf(name: string, texts = new Map<string, string>()): Map<string, s
   return texts;
 }
 
-it('words are parsed and refused without the reader of glTF and the stages', () => {
+it('arguments are parsed and refused without loading the glTF reader and the stages', () => {
   const texts = textsOf('program.mjs');
   expect(texts.size).toBeGreaterThan(4);
   const all = [...texts.values()].join('');

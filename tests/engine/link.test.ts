@@ -15,7 +15,7 @@ const own = new Map([
   [2, 400],
 ]);
 
-it('a link has the faces of bodies with a number of their own', () => {
+it('a link contains the faces of bodies with a number of their own', () => {
   const wanted = { settings: defaultSettings(), faces: 900, own, body: 2, file: 'a.glb' };
   const link = writeLink(wanted);
   expect(decodeURIComponent(link)).toBe('faces=900&own=2:400,5:120&body=2&file=a.glb');
@@ -31,13 +31,13 @@ it.each(['own=', 'own=2', 'own=2:x', 'own=2:4,', 'own=-1:4', 'own=2:1e9'])(
   },
 );
 
-it('numbers of a link are kept where the file has such a body, with no more faces than it has', () => {
+it('numbers of a link apply if the file has such a body, up to its number of faces', () => {
   const bodies = [{ faces: 10 }, { faces: 10 }, { faces: 300 }];
   expect([...fittingOwnFaces(own, bodies)]).toEqual([[2, 300]]);
   expect(fittingOwnFaces(undefined, bodies).size).toBe(0);
 });
 
-it('Undo and Redo take the faces of single bodies back and forth, also after a reload', () => {
+it('Undo and Redo restore the faces of single bodies, also after a reload', () => {
   startUndo(() => {});
   wants.own.value = own;
   expect(canUndo()).toBe(true);

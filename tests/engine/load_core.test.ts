@@ -58,7 +58,7 @@ describe('the core', () => {
     for (const threads of [2, 3]) expect(results(await loadTestCore(threads))).toEqual(expected);
   });
 
-  it('gives the same results for what it keeps as for plain data, until that is released', async () => {
+  it('gives the same results for handles as for plain data, until they are released', async () => {
     const core = await loadTestCore(1);
     const { mesh } = core.weld(torus().positions, torus().triangles, { tolerance: 0 });
     const none = new Float32Array();
@@ -122,7 +122,7 @@ describe('the core', () => {
     expect(run().modes).toHaveLength(12);
   });
 
-  it('is correct after a hundred calls cancelled at random times, and leaks no memory from them', async () => {
+  it('is correct after a hundred calls cancelled at random times, and leaks no memory', async () => {
     let countdown = Infinity;
     const core = await loadTestCore(2, () => {
       if (--countdown === 0) Atomics.store(core.job!, 0, 1);

@@ -9,17 +9,17 @@ const set = (...rows: number[][]) => ({
 
 const before = set([1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 1]);
 
-test('a mode is found again at another place, with another sign and size', () => {
+test('a mode is matched at another number, with another sign and amplitude', () => {
   const after = set([0, 0, 2, 0, 0, 2], [-1, 0, 0, 0, 0, 0], [0, 0.9, 0.1, 0, 0, 0]);
   expect(matchModes(before, after, [1, 2, 3])).toEqual([2, 3, 1]);
 });
 
-test('a motion that is gone has no likeness, and no mode stands for two', () => {
+test('a missing motion has no match, and no mode is matched twice', () => {
   const after = set([0, 0, 0, 1, 0, 0], [1, 0.9, 0, 0, 0, 0]);
   expect(matchModes(before, after, [3])).toEqual([null]);
   expect(matchModes(before, after, [1, 2])).toEqual([2, null]);
 });
 
-test('modes of the same solution are themselves', () => {
+test('modes of one solution match themselves', () => {
   expect(matchModes(before, before, [2, 3])).toEqual([2, 3]);
 });

@@ -47,7 +47,7 @@ describe('a size of memory', () => {
 });
 
 describe('the core', () => {
-  it.each([1, 2])('has no more memory than it is given, on %i threads', async (threads) => {
+  it.each([1, 2])('uses no more memory than it is given, on %i threads', async (threads) => {
     const memory = 100 * 2 ** 20;
     const core = await loadCore({ threads, wasmFolder, memory });
     expect(core.heapLimit).toBe(memory);
@@ -64,11 +64,11 @@ describe('the core', () => {
   });
 });
 
-describe('where there is less address space than the core may take', () => {
+describe('with less address space than the core may use', () => {
   const { Memory } = WebAssembly;
   afterEach(() => (WebAssembly.Memory = Memory));
 
-  it.each([1, 2])('it takes half, a quarter and so on, on %i threads', async (threads) => {
+  it.each([1, 2])('half, a quarter and so on is reserved, on %i threads', async (threads) => {
     const space = 300 * 2 ** 20;
     WebAssembly.Memory = class extends Memory {
       constructor(about: WebAssembly.MemoryDescriptor) {
@@ -97,7 +97,7 @@ describe('a model that needs more', () => {
     );
   });
 
-  it('is refused where only its fit needs more, unless nothing is fitted', async () => {
+  it('is refused if only its fit needs more, unless there is no fit', async () => {
     const document = startDocument();
     addMesh(document, 'ball', [primitiveOf(document, ball(20))]);
     const model = await openModel([await glbFile(document)]);
@@ -110,7 +110,7 @@ describe('a model that needs more', () => {
     expect(run(false).prepare(settings)).toEqual([]);
   });
 
-  it('is refused by the command line before the work, and nothing is written', () => {
+  it('is refused by the command line before any work, and nothing is written', () => {
     const [input, output] = [join(folder, 'large.stl'), join(folder, 'out.glb')];
     writeFileSync(input, stl(200_000));
     const program = join(root, 'dist', 'cli', 'limber.mjs');

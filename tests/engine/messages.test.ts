@@ -152,7 +152,7 @@ test('no entry is unused', () => {
   expect(unused).toEqual([]);
 });
 
-test('the words of each entry for engine and viewer are words of theirs', () => {
+test('each entry for engine and viewer has a text there', () => {
   const folders = ['web/engine', 'web/app/worker', 'web/app/viewer'].map((folder) => join(root, folder));
   const sources = folders.flatMap((folder) =>
     readdirSync(folder, { recursive: true, encoding: 'utf8' })
@@ -185,7 +185,7 @@ test('a sentence has its values in both languages', () => {
   expect(say('A sentence without an entry.')).toBe('A sentence without an entry.');
 });
 
-test('a sentence of the engine is known by its form', () => {
+test('a sentence of the engine is recognised by its form', () => {
   shown.value = { language: 'ja', table: JAPANESE };
   expect(sentence('12 seam vertices welded')).toBe('シームの頂点 12 個を結合');
   expect(sentence('It cannot go: a face would flip.')).toBe('取り除けません: 面が裏返ります。');
@@ -196,7 +196,7 @@ test('a sentence of the engine is known by its form', () => {
   expect(sentence('convert it to GLB')).toBe('convert it to GLB');
 });
 
-test('that a further level is finer than the result is known by its form', () => {
+test('the warning of a further level with more faces than the result is recognised by its form', () => {
   const levels = [90, 1200].map((faces, i) => ({ file: `a_lod${i}.glb`, faces }));
   const told = describeFinerLevels(1000, levels, '“Further levels”');
   expect(told).toHaveLength(1);
@@ -206,7 +206,7 @@ test('that a further level is finer than the result is known by its form', () =>
   );
 });
 
-test('what the reader says of a file is known by its form', () => {
+test('notes of the reader on a file are recognised by their form', () => {
   shown.value = { language: 'ja', table: JAPANESE };
   expect(sentence('1 animation: the rest pose is used')).toBe('アニメーション 1: 静止時の姿勢を使用');
   expect(sentence('default weights of morph targets: what is measured and moved has weights of 0')).toBe(
@@ -220,7 +220,7 @@ test('what the reader says of a file is known by its form', () => {
   );
 });
 
-test('the first known language of the browser is taken', () => {
+test('the first supported language of the browser is chosen', () => {
   expect(preferredLanguage(['de-DE', 'ja-JP', 'en'])).toBe('ja');
   expect(preferredLanguage(['en-GB', 'ja'])).toBe('en');
   expect(preferredLanguage(['fr'])).toBe('en');

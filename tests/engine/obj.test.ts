@@ -71,7 +71,7 @@ describe('OBJ', () => {
     expect(await semantics(colours.replace(' 1 0.5 0', ' 1'))).toEqual(['POSITION']);
   });
 
-  it('keeps the colours of an object beside ones without', async () => {
+  it('keeps the colours of an object beside others without colours', async () => {
     const object = (name: string, colour: string) =>
       `o ${name}\n${SQUARE_OBJ.replace(/^v.*$/gm, `$&${colour}`).replace(/f.*\n/g, '')}f -4 -3 -2 -1\n`;
     const { document } = await open(object('a', '') + object('b', ' 1 0 0') + object('c', ''));
@@ -112,7 +112,7 @@ describe('OBJ', () => {
     expect([...bodies[1].positions]).toEqual([1, 0, 0, 1, 1, 0, 5, 5, 5, 0, 1, 0]);
   });
 
-  it('lists what it does not carry', async () => {
+  it('lists the content that it drops', async () => {
     const { unread, notes } = await open(
       `mtllib a.mtl\nusemtl red\nvt 0 0\nl 1 2\nstrange line\n${SQUARE_OBJ}`,
     );

@@ -48,14 +48,14 @@ const pathsOf = async (name = 'a.obj') =>
   (await readModelFiles(at(name))).paths.map((path) => path.replace(`${folder}/`, ''));
 
 describe('with an OBJ', () => {
-  it('come its libraries, and the pictures of the materials that it uses', async () => {
+  it('its libraries are read, and the pictures of the materials that it uses', async () => {
     expect(await namesRead()).toEqual(['a.obj', 'mats/my set.mtl', 'mats/my skin.png', 'glow.png']);
     const model = await openModel((await readModelFiles(at('a.obj'))).files);
     expect([model.notes, model.unread]).toEqual([[], []]);
     expect(model.document.getRoot().listTextures()).toHaveLength(2);
   });
 
-  it('belong all pictures that its libraries name: nothing is written over them', async () => {
+  it('all pictures that its libraries name are protected from being overwritten', async () => {
     const paths = await pathsOf();
     for (const name of [
       'mats/my set.mtl',
@@ -68,7 +68,7 @@ describe('with an OBJ', () => {
     expect(pathsNamedBy(at('a.obj'))).toContain(at('mats/other.png'));
   });
 
-  it('comes the library of its name where it names none, which is not said to be named', async () => {
+  it('the library of its own name is read if it names none, which no note claims', async () => {
     write('b.obj', OBJ);
     write('b.mtl', 'newmtl m\nmap_Kd glow.png\n');
     expect(await namesRead('b.obj')).toEqual(['b.obj', 'b.mtl', 'glow.png']);
@@ -76,7 +76,7 @@ describe('with an OBJ', () => {
     expect(pathsNamedBy(at('b.obj'))).toEqual([]);
   });
 
-  it('comes nothing from outside of its folder, by whatever way', async () => {
+  it('nothing is read from outside of its folder, by any path', async () => {
     writeFileSync(join(top, 'secret.png'), RED);
     writeFileSync(join(top, 'secret.mtl'), 'newmtl m\nmap_Kd glow.png\n');
     symlinkSync(join(top, 'secret.png'), at('link.png'));
@@ -96,7 +96,7 @@ describe('with an OBJ', () => {
     expect((await readModelFiles(at('c.obj'))).paths).toContain(join(top, 'secret.mtl'));
   });
 
-  it('come no folders, pipes or missing files', async () => {
+  it('no folders, pipes or missing files are read', async () => {
     write('d.obj', `mtllib mats\nmtllib ./\nmtllib none.mtl\n${OBJ}`);
     expect(await namesRead('d.obj')).toEqual(['d.obj']);
   });
@@ -118,7 +118,7 @@ describe('the key of an asset of a batch', () => {
   const key = async () =>
     keyOf((await readModelFiles(at('a.obj'))).files, { options: {}, unasked: [] } as never, 'a.glb');
 
-  it('changes with its library and with a picture that it shows, and with no other', async () => {
+  it('changes with its library and with a picture that it uses, and with no other file', async () => {
     const first = await key();
     expect(await key()).toBe(first);
     write('mats/other.png', 'changed');
@@ -148,7 +148,7 @@ describe('an OBJ written into another folder', () => {
     readFileSync(join(top, folder, name)).equals(readFileSync(at(name)));
   beforeEach(() => mkdirSync(join(top, 'out')));
 
-  it('has the libraries of its input and their pictures beside it, byte for byte', () => {
+  it('is written with the libraries of its input and their pictures, byte for byte', () => {
     expect(limber('optimize', 'set/a.obj', 'out/b.obj', '--soft', '--dry-run').stdout.split('\n')).toEqual([
       'a.obj: OBJ, 1 body, 4 faces',
       'would write out/b.obj',
@@ -160,7 +160,7 @@ describe('an OBJ written into another folder', () => {
     expect(COMPANIONS.filter((name) => !isSame(name))).toEqual([]);
   });
 
-  it('replaces none of the files of the user without --force, and what limber has written', () => {
+  it('overwrites files of the user only with --force, and files that limber wrote always', () => {
     mkdirSync(join(top, 'out', 'mats'));
     writeFileSync(join(top, 'out', 'glow.png'), 'mine');
     const words = ['optimize', 'set/a.obj', 'out/a.obj', '--soft'];
@@ -175,19 +175,19 @@ describe('an OBJ written into another folder', () => {
     expect(isSame('glow.png')).toBe(true);
   });
 
-  it('in the folder of the input writes nothing but itself', () => {
+  it('in the folder of the input is written alone', () => {
     const { stdout } = limber('optimize', 'set/a.obj', 'set/b.obj', '--dry-run');
     expect(stdout.split('\n').slice(1)).toEqual(['would write set/b.obj', '']);
   });
 
-  it('goes to stdout alone, which is said', () => {
+  it('is written to stdout alone, with a note', () => {
     const { code, stdout, said } = limber('optimize', 'set/a.obj', '-', '--format', 'obj', '--soft');
     expect([code, stdout.split('\n')[1]]).toEqual([0, 'mtllib mats/my set.mtl']);
     expect(said).toContain('stdout leaves out mats/my set.mtl and 4 files more, which it names.');
     expect(existsSync(join(top, 'mats'))).toBe(false);
   });
 
-  it('of a batch is done again where one of its files is gone or has changed', () => {
+  it('of a batch is repeated if one of its files is missing or has changed', () => {
     const run = () =>
       /(\d) optimized/.exec(limber('batch', 'set', 'out', '--format', 'obj', '--soft').stdout)?.[1];
     expect([run(), run()]).toEqual(['1', '0']);

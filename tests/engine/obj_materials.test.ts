@@ -54,7 +54,7 @@ const write = (model: OpenModel, name: string): Promise<SourceFile[]> =>
   });
 
 describe('a library as programs write it', () => {
-  it('of Blender: colour as it is, roughness of the exponent, no metal', async () => {
+  it('of Blender: unchanged colour, roughness from the exponent, no metal', async () => {
     const material = await dressed(
       'Ns 250.000000\nKa 1.0 1.0 1.0\nKd 0.8 0.1 0.2\nKs 0.5 0.5 0.5\nKe 0 0 0\nNi 1.45\nd 1.0\nillum 2',
     );
@@ -65,7 +65,7 @@ describe('a library as programs write it', () => {
     expect(material.getEmissiveFactor()).toEqual([0, 0, 0]);
   });
 
-  it('of Blender with PBR: roughness, metalness and the normals that it calls a bump map', async () => {
+  it('of Blender with PBR: roughness, metalness and a normal map declared as a bump map', async () => {
     const material = await dressed(
       'Pr 0.3\nPm 0.9\nPs 0\nNs 1000\nKd 0.8 0.8 0.8\nmap_Kd skin.png\nmap_Bump -bm 0.500000 skin_normal.png',
       ...['skin.png', 'skin_normal.png'].map((name) => picture(name)),
@@ -76,7 +76,7 @@ describe('a library as programs write it', () => {
     expect(material.getNormalScale()).toBe(0.5);
   });
 
-  it('of 3ds Max: paths of its machine, a grey beside the picture, and both d and Tr', async () => {
+  it('of 3ds Max: absolute paths, a grey colour beside the map, and both d and Tr', async () => {
     const model = await opened(
       '\tNs 10.0\r\n\tNi 1.5\r\n\td 1.0\r\n\tTr 0.0\r\n\tTf 1 1 1\r\n\tillum 2\r\n\tKd 0.5882 0.5882 0.5882\r\n\tmap_Ka C:\\maps\\Old Wood.png\r\n\tmap_Kd C:\\maps\\Old Wood.png',
       picture('Old Wood.png'),
@@ -98,7 +98,7 @@ describe('a library as programs write it', () => {
     expect(material.getBaseColorTexture()!.getMimeType()).toBe('image/jpeg');
   });
 
-  it('with a black Kd beside its picture is not black, and a coloured one tints it', async () => {
+  it('with a black Kd beside its map is not black, and a coloured one tints the map', async () => {
     const lines = (colour: string) => `Kd ${colour}\nmap_Kd skin.png`;
     expect((await dressed(lines('0 0 0'), picture('skin.png'))).getBaseColorFactor()).toEqual([1, 1, 1, 1]);
     expect((await dressed(lines('1 .5 0'), picture('skin.png'))).getBaseColorFactor()).toEqual([
@@ -148,14 +148,14 @@ describe('a line of a library', () => {
     expect((await dressed(lines)).getBaseColorFactor().slice(0, 3)).toEqual(colour);
   });
 
-  it('that shines brighter than 1 keeps its hue', async () => {
+  it('with emission above 1 keeps its hue', async () => {
     expect((await dressed('Ke 4 2 0')).getEmissiveFactor()).toEqual([1, 0.5, 0]);
     const lit = await dressed('Ke 0 0 0\nmap_Ke glow.png', picture('glow.png'));
     expect(lit.getEmissiveFactor()).toEqual([1, 1, 1]);
     expect(lit.getEmissiveTexture()!.getName()).toBe('glow');
   });
 
-  it('of roughness alone is a texture; beside metalness only where both are one picture', async () => {
+  it('of roughness alone becomes a texture; with metalness only if both are one picture', async () => {
     const files = [picture('r.png'), picture('m.png', CLEAR)];
     const rough = await dressed('Pr 0.2\nmap_Pr r.png', ...files);
     expect(rough.getMetallicRoughnessTexture()!.getName()).toBe('r');
@@ -170,7 +170,7 @@ describe('a line of a library', () => {
     }
   });
 
-  it('of opacity counts where it is the alpha of the colour', async () => {
+  it('of opacity is used if it is the alpha channel of the colour map', async () => {
     const lines = 'map_Kd leaf.png\nmap_d leaf.png';
     expect((await dressed(lines, picture('leaf.png', CLEAR))).getAlphaMode()).toBe('BLEND');
     const opaque = await opened(lines, picture('leaf.png'));
@@ -178,7 +178,7 @@ describe('a line of a library', () => {
     expect(opaque.notes).toEqual([expect.stringMatching(/^1 map of opacity \(leaf\.png\) left out, /)]);
   });
 
-  it('of a bump map with heights is left out, and norm has normals', async () => {
+  it('of a height map is left out, and that of norm is a normal map', async () => {
     const heights = await opened('bump -bm 0.2 bricks_height.png', picture('bricks_height.png'));
     expect(materialsOf(heights)[0].getNormalTexture()).toBeNull();
     expect(heights.notes).toEqual([
@@ -225,7 +225,7 @@ describe('the name of a picture', () => {
     },
   );
 
-  it('is looked for beside the library first, then beside the model', async () => {
+  it('is resolved beside the library first, then beside the model', async () => {
     const [inner, outer] = [pngOf([[[1, 1, 1]]]), pngOf([[[2, 2, 2]]])];
     const files = [
       square('m', 'mtllib mats/a.mtl\n', 'set/a.obj'),
@@ -241,7 +241,7 @@ describe('the name of a picture', () => {
     expect(await imageOf(picture('skin.png', outer))).toEqual(outer);
   });
 
-  it('is said where it is not there, or no picture that glTF takes', async () => {
+  it('is reported if the picture is missing or of a format that glTF does not support', async () => {
     const model = await opened(
       'map_Kd none.png\nmap_Ke glow.tga\nnorm n.dds',
       picture('glow.tga', new Uint8Array(64)),
@@ -257,7 +257,7 @@ describe('the name of a picture', () => {
 });
 
 describe('textures', () => {
-  it('stand as in OBJ: v counts from the lower edge of the picture', async () => {
+  it('are mapped as in OBJ: v counts from the lower edge of the picture', async () => {
     const { document } = await opened('map_Kd skin.png', picture('skin.png'));
     const uvs = document.getRoot().listMeshes()[0].listPrimitives()[0].getAttribute('TEXCOORD_0')!;
     // vt 0 0 is the lower left corner, which glTF counts as (0, 1).
@@ -269,7 +269,7 @@ describe('textures', () => {
     ]);
   });
 
-  it('are moved and repeated as -o and -s say, also from the lower edge', async () => {
+  it('are offset and scaled by -o and -s, also from the lower edge', async () => {
     const { document } = await opened('map_Kd -s 2 3 1 -o 0.25 0.125 0 skin.png', picture('skin.png'));
     const info = document.getRoot().listMaterials()[0].getBaseColorTextureInfo()!;
     const transform = info.getExtension<Transform>('KHR_texture_transform')!;
@@ -286,7 +286,7 @@ describe('textures', () => {
     expect(clamped.getBaseColorTextureInfo()!.listExtensions()).toEqual([]);
   });
 
-  it('of one picture are one texture, and an unused material is none', async () => {
+  it('of one picture are one texture, and an unused material has none', async () => {
     const library =
       'newmtl m\nmap_Kd a.png\nmap_Ke ./a.png\nnewmtl n\nmap_Kd A.png\nnewmtl unused\nmap_Kd b.png\n';
     const main = textFile('a.obj', `mtllib a.mtl\n${VERTICES}${CORNERS}usemtl m\n${FACE}usemtl n\n${FACE}`);
@@ -295,7 +295,7 @@ describe('textures', () => {
     await glbOf(model);
   });
 
-  it('need UVs: an object without has the colours alone', async () => {
+  it('need UVs: an object without them gets only the colours', async () => {
     const text = `mtllib a.mtl\no one\n${VERTICES}${CORNERS}usemtl m\n${FACE}o two\nf 1 2 3\n`;
     const library = textFile('a.mtl', 'newmtl m\nKd 1 0 0\nmap_Kd a.png\n');
     const model = await openModel([textFile('a.obj', text), library, picture('a.png')]);
@@ -344,7 +344,7 @@ describe('a library', () => {
     expect(await colours(main, library(name, '0 0 1'))).toEqual([[0, 0, 1]]);
   });
 
-  it('that comes first says what a material is, and in it the first of its name', async () => {
+  it('that comes first defines a material, and in it the first of that name', async () => {
     const main = square('m', 'mtllib b.mtl a.mtl\n');
     const twice = textFile('b.mtl', 'newmtl m\nKd 1 0 0\nnewmtl m\nKd 0 1 0\n');
     expect(await colours(main, library('a.mtl', '0 0 1'), twice)).toEqual([[1, 0, 0]]);
@@ -353,7 +353,7 @@ describe('a library', () => {
     ]);
   });
 
-  it('that is missing is named with the cure and no fault of the format written, unless others have all materials', async () => {
+  it('that is missing is reported with the cure and not as a loss of the output format, unless others define all materials', async () => {
     const alone = await openModel([square()]);
     const cure = 'beside the OBJ for colours and textures of its materials';
     expect([alone.unread, alone.notes]).toEqual([[], [`a.mtl is not there: put it ${cure}`]]);
@@ -370,7 +370,7 @@ describe('a library', () => {
     ]);
   });
 
-  it('that is too large or no text is said, and the model opens', async () => {
+  it('that is too large or not text is reported, and the model opens', async () => {
     const wide = { name: 'a.mtl', bytes: Uint8Array.from([0xff, 0xfe, 0x6e, 0, 0x65, 0]) };
     const large = { name: 'a.mtl', bytes: new Uint8Array(2 ** 23 + 1).fill(0x20) };
     for (const file of [wide, large]) {
@@ -382,13 +382,13 @@ describe('a library', () => {
     }
   });
 
-  it('can call a material as JavaScript calls its own things', async () => {
+  it('can give a material the name of a JavaScript built-in', async () => {
     const main = square('__proto__');
     expect(await colours(main, library('a.mtl', '0 1 0', '__proto__'))).toEqual([[0, 1, 0]]);
     expect(await failureOf(() => openModel([square('constructor'), library('a.mtl', '1 0 0')]))).toBe('');
   });
 
-  it('comes in a ZIP, too', async () => {
+  it('can come in a ZIP', async () => {
     const { writeZip } = await import('../../web/engine/document/archive/write_zip');
     const files = [
       square('m', 'mtllib a.mtl\n', 'set/a.obj'),
@@ -400,7 +400,7 @@ describe('a library', () => {
   });
 });
 
-describe('what is written of a model with a library', () => {
+describe('the result of a model with a library', () => {
   const LINES = 'Kd 1 0 0\nd 0.5\nmap_Kd -s 2 2 my skin.png';
 
   it('is the same for the same files, in any order', async () => {
@@ -413,7 +413,7 @@ describe('what is written of a model with a library', () => {
     expect(material.getBaseColorTexture()!.getImage()).toEqual(RED);
   });
 
-  it('names the same library as OBJ, and loses nothing of the materials', async () => {
+  it('refers to the same library as OBJ, and loses nothing of the materials', async () => {
     const model = await openModel([
       square('m', 'mtllib a.mtl b.mtl\nmtllib c d.mtl\n'),
       textFile('a.mtl', `newmtl m\n${LINES}\n`),
@@ -432,14 +432,14 @@ describe('what is written of a model with a library', () => {
 
   const RED_MTL = 'newmtl m\nKd 1 0 0\n';
 
-  it('names the library of its own name as OBJ, where those that it names are not there', async () => {
+  it('refers to the library of its own name as OBJ if the named ones are missing', async () => {
     const model = await openModel([square('m', 'mtllib former.mtl\n', 'a.obj'), textFile('a.mtl', RED_MTL)]);
     const files = await write(model, 'b.obj');
     expect(files.map(({ name }) => name)).toEqual(['b.obj', 'a.mtl']);
     expect(materialsOf(await openModel(files))[0].getBaseColorFactor()).toEqual([1, 0, 0, 1]);
   });
 
-  it('leaves out a library that came from outside of its folder, which is said', async () => {
+  it('drops a library from outside of its folder, with a note', async () => {
     const model = await openModel([
       square('m', 'mtllib ../b.mtl\n', 'set/a.obj'),
       textFile('b.mtl', RED_MTL),
@@ -448,7 +448,7 @@ describe('what is written of a model with a library', () => {
     expect((await write(model, 'c.obj')).map(({ name }) => name)).toEqual(['c.obj']);
   });
 
-  it('has the pictures beside it as glTF, under their names', async () => {
+  it('as glTF has the pictures beside it, under their names', async () => {
     const files = await write(await opened(LINES, picture('my skin.png')), 'b.gltf');
     expect(files.map(({ name }) => name).sort()).toEqual(['b.bin', 'b.gltf', 'my skin.png']);
     expect(
@@ -458,7 +458,7 @@ describe('what is written of a model with a library', () => {
     ).toEqual(RED);
   });
 
-  it('comes back from an OBJ that limber has written', async () => {
+  it('is read back from an OBJ that limber wrote', async () => {
     const lines = 'Kd 1 .5 0\nPr 0.3\nPm 0.7\nd 0.5\nKe 0 0 1\nmap_Kd skin.png\nnorm n.png';
     const model = await opened(lines, picture('skin.png'), picture('n.png', CLEAR));
     const glb = await openModel([{ name: 'a.glb', bytes: await glbOf(model) }]);
@@ -506,7 +506,7 @@ describe('any library', () => {
     .map(([word, ...rest]) => `${word} ${rest.join(' ')}`);
   const library = fc.array(line, { maxLength: 30 }).map((lines) => `newmtl m\n${lines.join('\n')}\n`);
 
-  it('opens with its model, and what is written of it has no error', async () => {
+  it('opens with its model, and results have no errors', async () => {
     await fc.assert(
       fc.asyncProperty(library, fc.boolean(), async (text, isPng) => {
         const bytes = isPng ? CLEAR : new Uint8Array(40);
@@ -517,7 +517,7 @@ describe('any library', () => {
     );
   });
 
-  it('of bytes at random opens with its model, too', async () => {
+  it('of random bytes opens with its model, too', async () => {
     await fc.assert(
       fc.asyncProperty(fc.uint8Array({ maxLength: 300 }), async (bytes) => {
         const head = new TextEncoder().encode('newmtl m\nmap_Kd ');

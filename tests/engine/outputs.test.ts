@@ -157,7 +157,7 @@ describe('an output is refused where it is', () => {
 });
 
 describe('a file that is there already', () => {
-  it('is replaced where limber wrote it, and otherwise with --force alone', async () => {
+  it('is overwritten if limber wrote it, and otherwise only with --force', async () => {
     writeFileSync(at('out.glb'), 'precious');
     expect(await refusal(at('in.obj'), at('out.glb'))).toBe(
       'out.glb exists and was not written by limber: name another file, or replace it with --force.',
@@ -203,21 +203,21 @@ describe('writing', () => {
     expect(readdirSync(at('store'))).toEqual(['real.glb']);
   });
 
-  it('makes the file that a link leads to where there is none yet', () => {
+  it('creates the target of a link if it does not exist yet', () => {
     symlinkSync('real.glb', at('out.glb'));
     writeWhole(at('out.glb'), 'new');
     expect(readFileSync(at('real.glb'), 'utf8')).toBe('new');
     expect(lstatSync(at('out.glb')).isSymbolicLink()).toBe(true);
   });
 
-  it('leaves the old file and nothing else where it fails', () => {
+  it('leaves the old file and nothing else if it fails', () => {
     writeFileSync(at('out.glb'), 'old');
     expect(() => writeWhole(at('out.glb'), null as unknown as string)).toThrow(/^\S+ cannot be written: /);
     expect(readFileSync(at('out.glb'), 'utf8')).toBe('old');
     expect(readdirSync(folder).filter((name) => name.endsWith('.part'))).toEqual([]);
   });
 
-  it('takes every name that the system takes', () => {
+  it('accepts every name that the system accepts', () => {
     for (const name of ['a'.repeat(255), 'ü'.repeat(127), '🦊'.repeat(63)]) {
       writeWhole(at(name), 'new');
       expect(readFileSync(at(name), 'utf8')).toBe('new');
@@ -300,13 +300,13 @@ describe('room on the disk', () => {
     expect(() => checkRoom([output('a.glb', 0, 61)], size, disk(60 * MB))).toThrow(/61 MB/);
   });
 
-  it('is not asked for where the file system does not tell, nor for stdout and devices', () => {
+  it('is not checked if the file system does not report it, nor for stdout and devices', () => {
     expect(() => checkRoom([output('a.glb', 1)], size, () => null)).not.toThrow();
     const others = ['-', '/dev/null'].map((path) => ({ ...output('a', 1), path }));
     expect(() => checkRoom(others, size, disk(0))).not.toThrow();
   });
 
-  it('of this disk is known', () => {
+  it('can be read for this disk', () => {
     expect(() => checkRoom([output('a.glb', 1)], { model: 2 ** 60, positions: 0 })).toThrow(
       /MB left, and the result can take/,
     );
@@ -366,7 +366,7 @@ describe('a level that fails', () => {
 });
 
 describe('a target', () => {
-  it.each(PRESET_NAMES)('is half of the faces with the preset %s, whose limits are none', (name) => {
+  it.each(PRESET_NAMES)('is half of the faces with the preset %s, whose limits are no targets', (name) => {
     const settings = { ...defaultSettings(), ...settingsOfPreset(name) };
     const asked = { faces: null, ratio: null, settings };
     expect(faceTarget({ ...asked, named: new Set() })).toEqual({ faces: null, ratio: 0.5 });
@@ -374,7 +374,7 @@ describe('a target', () => {
       expect(faceTarget({ ...asked, named: new Set([limit]) }).ratio).toBe(settings[limit] > 0 ? null : 0.5);
   });
 
-  it('that is a limit is missed where it was asked for and is not kept', () => {
+  it('that is a limit is missed if the user gave it and the result violates it', () => {
     const limits = { maxDeviation: 1, maxFrequencyError: 5 };
     const found = { deviation: 1.2, frequencyError: 6 };
     expect(brokenLimits(limits, new Set(), found)).toEqual([]);

@@ -50,7 +50,7 @@ beforeEach(() => {
   lost.mockClear();
 });
 
-it('the end of its worker is no loss', async () => {
+it('the requested end of its worker is not reported as a loss', async () => {
   isAnswering = true;
   const client = new Client('http://localhost/', lost);
   await client.open([]);

@@ -38,19 +38,19 @@ beforeEach(() => {
   page.opened.length = page.complaints.length = 0;
 });
 
-it('files of a folder have their places below it', async () => {
+it('files of a folder have paths below it', async () => {
   const inside = [folderEntry('a', fileEntry('skin.png')), folderEntry('b', fileEntry('skin.png'))];
   await drop(folderEntry('chair', fileEntry('chair.gltf'), ...inside));
   expect(page.opened).toEqual([['chair.gltf', 'a/skin.png', 'b/skin.png']]);
 });
 
-it('files of several folders keep apart', async () => {
+it('files of several folders are kept apart', async () => {
   const model = () => [fileEntry('scene.gltf'), fileEntry('scene.bin')];
   await drop(folderEntry('a', ...model()), folderEntry('b', ...model()));
   expect(page.opened).toEqual([['a/scene.gltf', 'a/scene.bin', 'b/scene.gltf', 'b/scene.bin']]);
 });
 
-it('a file that cannot be read is told of', async () => {
+it('a file that cannot be read is reported', async () => {
   await drop(fileEntry('large.glb', () => Promise.reject(new DOMException('', 'NotReadableError'))));
   expect(page.opened).toEqual([]);
   expect(page.complaints).toEqual([
@@ -58,7 +58,7 @@ it('a file that cannot be read is told of', async () => {
   ]);
 });
 
-it('without a network there are no samples, and one that cannot be loaded is told of', async () => {
+it('without a network there are no samples, and one that cannot be loaded is reported', async () => {
   vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')));
   await loadSamples();
   expect(samples.value).toEqual([]);

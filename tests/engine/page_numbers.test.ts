@@ -23,13 +23,13 @@ describe('the remaining time', () => {
     expect(told(40, 30)).toBeCloseTo(10, 6);
   });
 
-  it('is not told before enough is done, nor where little is left', () => {
+  it('is not shown before enough is done, nor when little is left', () => {
     expect(told(40, 2)).toBeNull();
     expect(told(40, 38)).toBeNull();
     expect(remainingTime()(5, null)).toBeNull();
   });
 
-  it('is not told while it jumps, and is again once it is steady', () => {
+  it('is hidden while it jumps, and shown again once it is steady', () => {
     const jumping = (seconds: number) => (seconds < 5 ? 0.1 : 0.3);
     expect(told(0, 5.6, jumping)).toBeNull();
     const left = remainingTime();

@@ -99,7 +99,7 @@ afterEach(async () => {
   page.complaints.length = 0;
 });
 
-it('nothing is made of a history that was cancelled, and it is offered until it is there', async () => {
+it('nothing follows from a cancelled history, which is offered again until it is computed', async () => {
   await open();
   await answerUntil(null);
   changeSettings({ strainWeight: wants.settings.value.strainWeight + 1 });
@@ -117,7 +117,7 @@ it('nothing is made of a history that was cancelled, and it is offered until it 
   expect([isHistoryStale.value, status.paused.value]).toEqual([false, []]);
 });
 
-it('what was cancelled is offered while others run', async () => {
+it('cancelled work is offered again while other work runs', async () => {
   await reduceWithoutModes();
   expect(await answerUntil(null)).toContain('curvature');
   expect([results.modes.value, status.paused.value]).toEqual([null, ['Finding modes']]);
@@ -126,7 +126,7 @@ it('what was cancelled is offered while others run', async () => {
   expect(status.paused.value).toEqual([]);
 });
 
-it('what runs on other inputs is no cancel of the user, whatever else was cancelled', async () => {
+it('work that is restarted on other inputs does not count as cancelled by the user', async () => {
   await reduceWithoutModes();
   await answerUntil('history');
   changeSettings({ qualityWeight: wants.settings.value.qualityWeight + 1 });
@@ -135,7 +135,7 @@ it('what runs on other inputs is no cancel of the user, whatever else was cancel
   expect(status.paused.value).toEqual(['Finding modes']);
 });
 
-it('what was cancelled runs at once with inputs that change before it has stopped', async () => {
+it('cancelled work restarts at once if its inputs change before it has stopped', async () => {
   await open();
   await answerUntil('history');
   cancelRunning();

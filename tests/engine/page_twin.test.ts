@@ -29,7 +29,7 @@ it('a step that is not faster says what limits it', () => {
   expect(speedUp(times(0, 0))).toBe('...');
 });
 
-it('no time and no speed-up has an exponent', () => {
+it('times and speed-ups are shown without exponents', () => {
   expect(speedUp({ original: 2, optimized: 0.001, haveLattice: false })).toBe('x2,000');
   const times = [4e-9, 25.46e-6, 0.9996e-3, 1.914e-3, 0.9996, 1234];
   expect(times.map((time) => shortTime(time).replace('\u00a0', ' '))).toEqual([

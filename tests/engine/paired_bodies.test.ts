@@ -67,7 +67,7 @@ describe('bodies are paired', () => {
     expect(body.scale).toBe(1);
   });
 
-  it('as they are where meshes stand beside each other, or a node scales unevenly', async () => {
+  it('unchanged if meshes lie beside each other, or a node scales non-uniformly', async () => {
     const original = await open(documentOf([['ring', torus()]]));
     const beside = documentOf([['ring', torus()]]);
     nodeOf(beside, 'ring').setTranslation([5, 0, 0]);
@@ -82,7 +82,7 @@ describe('bodies are paired', () => {
   });
 });
 
-describe('a result of integers, which its node places', () => {
+describe('a quantized result, which its node scales and translates', () => {
   let folder: string;
   const path = (name: string) => join(folder, name);
   const text = (name: string) => readFileSync(path(name), 'utf8');
@@ -112,14 +112,14 @@ describe('a result of integers, which its node places', () => {
 
   afterAll(() => rmSync(folder, { recursive: true }));
 
-  it('is as near to its original as the same result of floats', async () => {
+  it('is as close to its original as the same result in floats', async () => {
     const plain = await report('compare', 'in.glb', 'plain.glb');
     const small = await report('compare', 'in.glb', 'small.glb');
     expect(small.surface!.hausdorff).toBeCloseTo(plain.surface!.hausdorff, 1);
     expect(small.fidelity!.frequencyErrorMean).toBeCloseTo(plain.fidelity!.frequencyErrorMean!, 0);
   });
 
-  it('is tuned, and moves by the settings, which are in the space of its own mesh', async () => {
+  it('is tuned, and simulated with its settings, which are in the space of its own mesh', async () => {
     await report(...'tune in.glb small.glb --solver jolt --pins high:10 --settings s.json'.split(' '));
     const [entry] = readSettingsFile('s.json', text('s.json')).bodies;
     const [body] = (await openModel([{ name: 'small.glb', bytes: new Uint8Array(readFileSync(path('small.glb'))) }])).bodies; // prettier-ignore
@@ -133,7 +133,7 @@ describe('a result of integers, which its node places', () => {
     expect(moved.simulation!.tuned).toBe(true);
   });
 
-  it('keeps floats where a binding counts distances from it', async () => {
+  it('keeps floats if a binding has distances from it', async () => {
     await report(...'optimize in.glb bound.glb --ratio 0.5 --compress quantized --bind b.json'.split(' '));
     const bytes = new Uint8Array(readFileSync(path('bound.glb')));
     const { document, bodies } = await openModel([{ name: 'bound.glb', bytes }]);

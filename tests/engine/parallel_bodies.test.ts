@@ -61,7 +61,7 @@ async function optimized(
 }
 
 describe('small bodies', () => {
-  it('come out of a core with threads as out of one without, to the last byte', async () => {
+  it('give the same results with and without threads, to the last byte', async () => {
     const [many, one] = [await optimized(core), await optimized(single)];
     expect(many.bytes).toEqual(one.bytes);
   });
@@ -109,7 +109,7 @@ describe('small bodies', () => {
     expect(watching.alone.get('fitShape') ?? 0).toBeLessThan(0.1 * watching.together.get('fitShape')!);
   });
 
-  it('have at a level of the ratio of the first the same result', async () => {
+  it('have the same result at a further level with the ratio of the first', async () => {
     const { output } = await optimized(core, partsScene(4), { lods: [0.5], maxDeviation: 2 });
     const first = output.values(STAGES.fitted);
     output.values(STAGES.furtherLevels).forEach(([level], i) => {
@@ -118,7 +118,7 @@ describe('small bodies', () => {
     });
   });
 
-  it('are fitted by their own stages where that fails for all of them together', async () => {
+  it('are fitted by their own stages if fitting them in parallel fails', async () => {
     let stage = '';
     const fittedIn = new Set<string>();
     const failing: Core = {
@@ -135,7 +135,7 @@ describe('small bodies', () => {
     expect(many.bytes).toEqual((await optimized(single)).bytes);
   });
 
-  it('are announced in their order, each at last by itself', async () => {
+  it('are announced in their order, each one when its own stages run', async () => {
     const { file, activity } = await optimized(core);
     const names = file.usable.map(({ run }) => run.context.body.name);
     const each = activity.filter((name, i) => name !== activity[i - 1]);
@@ -227,7 +227,7 @@ describe('parallel calls', () => {
     expect(watching.alone.get('measureSurfaceDistance')).toBeUndefined();
   });
 
-  it('have an Error in the place of a call that fails, which is then made alone', () => {
+  it('return an Error for a call that fails, which is then repeated alone', () => {
     const options = { ...SHELL, modeCount: 2, direction: -1, pinned: new Uint32Array(), exact: false };
     const [wrong, right] = [{ ...options, poisson: 0.9 }, options].map((one) =>
       coreCall('findModes', cube(), one),
@@ -240,7 +240,7 @@ describe('parallel calls', () => {
     expect(() => resultOf(core, cache, wrong)).toThrow((failed as Error).message);
   });
 
-  it('can be made of every function that the interface names', () => {
+  it('can be made for every function that the interface lists', () => {
     const names: Record<ParallelName, true> = {
       findModes: true,
       strainGuidance: true,
@@ -253,7 +253,7 @@ describe('parallel calls', () => {
     for (const name of Object.keys(names) as ParallelName[]) expect(core.callAll(name, [])).toEqual([]);
   });
 
-  it('are refused of other functions', () => {
+  it('are refused for other functions', () => {
     expect(() => core.callAll('weld' as ParallelName, [])).toThrow('makes no calls of "weld" in parallel');
   });
 });

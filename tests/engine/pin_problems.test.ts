@@ -40,7 +40,7 @@ test.each(SCENARIOS.map(({ name }) => name))(
   },
 );
 
-test('pins of the scenario itself move', () => {
+test('default pins of a scenario move', () => {
   expect(findPinProblem('twist', mesh, null)).toBeNull();
 });
 

@@ -38,7 +38,7 @@ describe('a PNG', () => {
     expect(Buffer.from(decodePng(bytes, MOST)!.data)).toEqual(expected);
   });
 
-  it('in grey, interlaced, with 16 bits or too large is left alone, and so is another file', async () => {
+  it('in grey, interlaced, with 16 bits or too large is not decoded, and neither is another file', async () => {
     const grey = await pictureOf(3).toColourspace('b-w').png().toBuffer();
     const interlaced = await pictureOf(3).png({ progressive: true }).toBuffer();
     const fine = await pictureOf(3).toColourspace('rgb16').png().toBuffer();
@@ -48,7 +48,7 @@ describe('a PNG', () => {
     expect(decodePng(await pictureOf(3).png().toBuffer(), WIDTH * HEIGHT - 1)).toBeNull();
   });
 
-  it('that is broken is refused wherever it ends', async () => {
+  it('that is truncated is refused at any length', async () => {
     const bytes = await pictureOf(3).png().toBuffer();
     const dataAt = bytes.indexOf('IDAT') + 4;
     for (let length = dataAt; length < bytes.length - 20; length += 50)
@@ -58,7 +58,7 @@ describe('a PNG', () => {
     expect(() => decodePng(wrong, MOST)).not.toThrow(RangeError);
   });
 
-  it('with far more rows than its header says is refused as soon as they are there', () => {
+  it('with far more rows than its header declares is refused as soon as they are inflated', () => {
     const small = Buffer.from(pngOf([[[1, 2, 3]]]));
     const dataAt = small.indexOf('IDAT') - 4;
     const packed = deflateSync(Buffer.alloc(1 << 28), { level: 9 });

@@ -87,7 +87,7 @@ const weldOf = (positions: Float32Array, triangles: Uint32Array) =>
 const quarter = [0, Math.SQRT1_2, 0, Math.SQRT1_2];
 
 describe('poses of a skinned body', () => {
-  it('are where the bones take its vertices', async () => {
+  it('are the positions to which its joints move the vertices', async () => {
     const model = await barOf('rotation', [[0, 0, 0, 1], quarter]);
     const [body] = model.bodies;
     const poses = posesInAnimations(model.document, body);
@@ -105,7 +105,7 @@ describe('poses of a skinned body', () => {
     }
   });
 
-  it('are none of a body without a skin', async () => {
+  it('are absent without a skin', async () => {
     const document = startDocument();
     addMesh(document, 'box', [primitiveOf(document, mesh)]);
     const model = await openModel([await glbFile(document)]);
@@ -161,7 +161,7 @@ describe('morph targets of a body', () => {
   const bumpAt = (height: number, size: number) => (_x: number, _y: number, z: number) =>
     z === height ? [size, 0, 0] : [0, 0, 0];
 
-  it('take its vertices where they are at full weight, and nowhere where they move none', async () => {
+  it('move its vertices to their positions at full weight, and are dropped if they move none', async () => {
     const model = await morphedBar(bumpAt(8, 0.5), () => [0, 0, 0]);
     const [body] = model.bodies;
     const poses = posesOfTargets(model.document, body);
@@ -199,7 +199,7 @@ describe('morph targets of a body', () => {
     }
   });
 
-  it('of one and the same shape count less than twice as much as one', async () => {
+  it('with equal shapes count less than twice as much as one', async () => {
     const [one, four] = [await morphedBar(bumpAt(4, 1)), await morphedBar(...Array(4).fill(bumpAt(4, 1)))];
     const sums = [one, four].map((model) => {
       const [body] = model.bodies;

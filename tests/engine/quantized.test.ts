@@ -103,7 +103,7 @@ it('have a material of several primitives and of a variant once', async () => {
   expect(root.listMeshes()[0].listPrimitives()).toHaveLength(3);
 });
 
-it.each(['quantized', 'meshopt'] as const)('in %s keep a body of integers in its place', async (kind) => {
+it.each(['quantized', 'meshopt'] as const)('in %s keep the position of a quantized body', async (kind) => {
   const document = startDocument();
   const primitive = primitiveOf(document, torus());
   const integers = Int16Array.from(torus().positions, (value) => Math.round(3000 * value) + 5000);

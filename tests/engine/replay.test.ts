@@ -29,7 +29,7 @@ describe('a replayed history', () => {
     [threaded, alone] = [await loadTestCore(2), await loadTestCore(1)];
   });
 
-  it('gives the meshes of the worker that has made it, bit by bit', async () => {
+  it('gives the meshes of the worker that computed it, bit by bit', async () => {
     const mesh = torus(48, 24);
     const run = runOfMesh(threaded, mesh);
     const replay = new Replay(alone);
@@ -53,7 +53,7 @@ describe('a replayed history', () => {
     run.dispose();
   });
 
-  it('waits for a history on its way, and gives nothing of one that another has replaced', async () => {
+  it('waits for a history in transit, and gives nothing of a replaced one', async () => {
     const run = runOfMesh(threaded, torus());
     const replay = new Replay(alone);
     const asked = replay.meshAt('b', 200);
@@ -86,8 +86,8 @@ describe('a replayed history', () => {
   });
 });
 
-describe('what is handed over', () => {
-  it('has arrays of its own, the same one where the original has one twice', () => {
+describe('a value that is handed over', () => {
+  it('has copies of the arrays, and the same copy if the original has an array twice', () => {
     const shared = Float32Array.of(1, 2, 3);
     const value = {
       a: shared,

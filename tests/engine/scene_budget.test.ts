@@ -33,7 +33,7 @@ describe('the queue of a scene', () => {
     { curve: curveOf([0.05, 0.3, 0.3]), scale: 2, limit: 0 },
   ];
 
-  it('takes the faces whose loss hurts least, in units of the scene', () => {
+  it('removes the faces with the smallest error, in units of the scene', () => {
     const queue = new SceneQueue(bodies);
     expect([queue.faces, queue.fewest]).toEqual([20, 8]);
     // 0.1 of both, the first body first; then 0.2, then twice 0.6, then 0.9.
@@ -111,7 +111,7 @@ describe('half of the faces of a scene', () => {
     expect(report.surface!.hausdorff).toBeLessThan(1e-4);
   });
 
-  it('is half of each body where that is asked for', async () => {
+  it('is half of each body if requested', async () => {
     const { counts } = await optimize(boxScene(), { perBody: true, maxDeviation: 0 }, { ratio: 0.5 });
     expect(counts.slice(0, 2)).toEqual([[1], [6]]);
     expect(counts[2][0]).toBeGreaterThan(1100 - 3);
@@ -135,7 +135,7 @@ describe('the guard', () => {
     expect(report.surface!.hausdorff).toBeGreaterThan(1);
   });
 
-  it('leaves few faces where a longer distance would be the price of size and quality', async () => {
+  it('leaves few faces instead of trading distance for size and quality', async () => {
     const document = startDocument();
     addMesh(document, 'ball', [primitiveOf(document, ball(16))]);
     addMesh(document, 'sheet', [primitiveOf(document, grid(30, 30))]);

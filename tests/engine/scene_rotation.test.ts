@@ -12,12 +12,12 @@ test('a node that does not rotate its mesh, or scales and moves it alone, has no
   expect(rotationOf([2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1])).toBeNull();
 });
 
-test('what is up in the scene is up after the rotation, at the size of the mesh', () => {
+test('the up direction of the scene is up after the rotation, at the size of the mesh', () => {
   const rotation = rotationOf(Z_UP.map((value, i) => (i < 12 ? 3 * value : value)));
   expect(rounded(rotated(Float32Array.of(0, 0, 1, 1, 2, 3), rotation))).toEqual([0, 1, 0, 1, 3, -2]);
 });
 
-test('rotating back gives the points of before', () => {
+test('rotating back gives the original points', () => {
   // About (1, 1, 1) by 120 degrees, then squeezed.
   const rotation = rotationOf([0, 2, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 0, 0, 0, 0, 1]);
   const points = Float32Array.of(0.25, -1, 4, 7, 0.5, -3);
@@ -26,7 +26,7 @@ test('rotating back gives the points of before', () => {
   expect(rounded(rotated(there, rotation, true))).toEqual(rounded(points));
 });
 
-test('the rotation of a mirrored node is a rotation that keeps what is up', () => {
+test('the rotation of a reflected node is a rotation that keeps the up direction', () => {
   const rotation = rotationOf([-1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1])!;
   const [a, b, c, d, e, f, g, h, i] = rotation;
   expect(a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)).toBeCloseTo(1);
@@ -39,7 +39,7 @@ test('a matrix without extent has no rotation', () => {
   expect(rotationOf(new Array<number>(16).fill(NaN))).toBeNull();
 });
 
-test('ends of what stands are called as those of a mesh that no node turns', () => {
+test('ends of an upright body have the names of those of an unrotated mesh', () => {
   SCENE_ENDS.forEach(({ low, high }, axis) => {
     const subject = (name: string) => `The ${name.toLowerCase()}`;
     const { low: first, high: last } = endNames(IDENTITY, axis);

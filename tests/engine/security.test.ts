@@ -110,7 +110,7 @@ describe('a Draco bomb', () => {
     );
   });
 
-  it('that announces little and is damaged is refused by the decoder', async () => {
+  it('with small declared counts and damaged data is refused by the decoder', async () => {
     expect(await open(dracoStream(0, [1, 3]))).toMatch(/^bomb\.gltf is not a valid glTF file/);
   });
 });
@@ -170,7 +170,7 @@ describe('what a tab has stored', () => {
     expect(readSaved(JSON.stringify(whole))).toEqual(whole);
   });
 
-  it('has fewer steps of undo where the store is too full, the newest ones', () => {
+  it('has only the newest steps of undo if the store is too full', () => {
     const long = { ...readSaved(JSON.stringify(whole)), undo: { past: ['a', 'b', 'c'], future: ['d'] } };
     /** What is kept of `long` where so many letters have room; null: nothing. */
     const keptIn = (room: number): unknown => {
@@ -189,7 +189,7 @@ describe('what a tab has stored', () => {
     expect(keptIn(10)).toBeNull();
   });
 
-  it('is cleaned of words and steps that are not known', () => {
+  it('is cleaned of unknown words and steps', () => {
     const broken = {
       ...whole,
       step: '<b>',

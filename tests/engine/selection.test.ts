@@ -33,7 +33,7 @@ beforeAll(async () => {
 });
 
 describe('the bodies that are chosen', () => {
-  it('are all where nothing is said', () => {
+  it('are all by default', () => {
     expect(choose({})).toEqual([0, 1, 2, 3, 4]);
   });
 
@@ -54,7 +54,7 @@ describe('the bodies that are chosen', () => {
     expect(choose({ mesh: 'p*', exclude: 'plain' })).toEqual([0]);
   });
 
-  it('cannot be none: the sentence has what there is', async () => {
+  it('cannot be none: the error lists the existing ones', async () => {
     expect(await failureOf(() => choose({ mesh: 'door' }))).toBe(
       'test.glb has no body "door": it has "pane", "frame", "window", "plain", "rich".',
     );
@@ -66,7 +66,7 @@ describe('the bodies that are chosen', () => {
 });
 
 describe('bodies that are not chosen', () => {
-  it('stay byte for byte, with all that their vertices carry', async () => {
+  it('stay byte for byte, with all of their attributes', async () => {
     const settings = { ...defaultSettings('qem'), mesh: 'p*' };
     const file = new FileRun(core, model, { chosen: chosenBodies(model, settings) });
     const targets = model.bodies.map(() => 10);

@@ -121,7 +121,7 @@ describe('a damaged settings file', () => {
 });
 
 describe('parameters to tune the same model with again', () => {
-  it('are those that were given, or all but those in which bodies differ where the file does not say so', () => {
+  it('are the given ones, or without a list of these all that are equal in all bodies', () => {
     const { given, ...file } = fileOf(tunedBody('jolt'));
     expect(given).toEqual([]);
     const all = originalParameters(file);
@@ -138,8 +138,8 @@ describe('parameters to tune the same model with again', () => {
   });
 });
 
-describe('what a GLB has of them', () => {
-  it('is numbers in the extras, and masses and maps as attributes', () => {
+describe('settings in a GLB', () => {
+  it('are numbers in the extras, and masses and maps as attributes', () => {
     const fields = { stretchField: Float64Array.of(1, 1.5, 1, 1), bendField: Float64Array.of(1, 1, 0.5, 1) };
     const { extras, attributes } = exportedSettings(tunedBody('jolt', fields));
     const { engine, stretch } = extras as { engine: Record<string, number>; stretch: { constant: number } };
@@ -151,15 +151,15 @@ describe('what a GLB has of them', () => {
   });
 });
 
-describe('what a report says of them', () => {
-  it('is that of the body that is off most', () => {
+describe('settings in a report', () => {
+  it('are those of the body with the largest error', () => {
     const worse = { errorUntouched: 9, errorTuned: 6, errorUnseen: 7, errorOtherPins: 8 };
     const report = solverReport([tunedBody('springs'), tunedBody('springs', { frequencies: worse })]);
     expect(report.schema).toBe('limber-report/2');
     expect(report.fidelity.solvers.springs!.frequencies).toEqual(worse);
   });
 
-  it('leaves out errors of modes that a body does not have, and says so', () => {
+  it('lack errors of modes that a body does not have, with a note', () => {
     const none = { errorUntouched: NaN, errorTuned: NaN, errorUnseen: NaN, errorOtherPins: NaN };
     const flat = tunedBody('springs', {
       frequencies: none,
@@ -185,7 +185,7 @@ describe('what a report says of them', () => {
     );
   });
 
-  it('reads as sentences', () => {
+  it('are described in sentences', () => {
     const { solvers } = solverReport([tunedBody('springs')]).fidelity;
     expect(describeTuning('springs', solvers.springs!)).toEqual([
       "in Springs the first ten frequencies are off by 5.00 % tuned (modes that were not tuned 7.00 %), by 40.00 % with the original's numbers",
@@ -205,7 +205,7 @@ describe('what a report says of them', () => {
     expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not tried');
   });
 
-  it('names numbers that the engine does not take, of all bodies the one that is farthest out', () => {
+  it('name values that the engine does not accept, of all bodies the one farthest out of range', () => {
     const body = tunedBody('blender');
     const within = { ...body.original.values, tension: 9000 };
     const stiff = (tension: number) => ({

@@ -74,7 +74,7 @@ it.each(['none', 'quantized', 'meshopt', 'draco'] as const)(
   },
 );
 
-it('results that differ have in common what is equal', async () => {
+it('results that differ share what is equal', async () => {
   const model = await openModel([await glbFile(chairs())]);
   const bodies = model.bodies.map((body, i) => {
     const result = asResult(body);
@@ -89,7 +89,7 @@ it('results that differ have in common what is equal', async () => {
   expect(sharedBy(a, c)).toEqual([true, true, true, true]);
 });
 
-it('meshes of a document in memory have in common what they had before, and nothing else', async () => {
+it('meshes of a document in memory share what they shared before, and nothing else', async () => {
   const document = await readGlb((await glbFile(chairs())).bytes);
   const { bodies } = await openModel([await glbFile(document)]);
   await applyBodies(document, bodies.map(asResult), false);
@@ -99,7 +99,7 @@ it('meshes of a document in memory have in common what they had before, and noth
   expect(document.getRoot().listAccessors()).toHaveLength(8);
 });
 
-it('Draco does not part a mesh of which another mesh has the positions, with other UVs', async () => {
+it('Draco keeps a mesh closed that shares its positions with a mesh of other UVs', async () => {
   const document = startDocument();
   const [left, right] = [0, 1].map((at) => moved(grid(7, 7), (x, y) => [x + at, y / 3, at * x]));
   const first = primitiveOf(document, left);

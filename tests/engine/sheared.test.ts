@@ -63,7 +63,7 @@ function farthest(points: Float32Array, matrix: number[]): number {
 const shown = ({ document }: OpenModel): Float32Array => flatMeshes(document)[0].primitives[0].positions;
 
 describe('a sheared node', () => {
-  it('stands in GLB and OBJ where it stood, and quantized within the grid', async () => {
+  it('keeps its position in GLB and OBJ, and within the grid if quantized', async () => {
     const model = await opened(SHEAR);
     expect(model.notes).toEqual([]);
     expect(farthest(shown(model), SHEAR)).toBeLessThan(1e-6);
@@ -72,7 +72,7 @@ describe('a sheared node', () => {
     expect(farthest(shown(await written(model, 'a.glb', 'quantized')), SHEAR)).toBeLessThan(1e-3);
   });
 
-  it('keeps number, name, extras and what stands below it, under a node of its own', async () => {
+  it('keeps index, name, extras and children, under a new parent', async () => {
     const model = await opened(SHEAR, (json) => {
       json.nodes!.push({ name: 'below', translation: [1, 1, 0] });
       json.nodes![0] = { ...json.nodes![0], extras: { kept: true }, children: [1] };
@@ -86,7 +86,7 @@ describe('a sheared node', () => {
     [4.8, 5, 5].forEach((value, c) => expect(below.getWorldMatrix()[12 + c]).toBeCloseTo(value, 12));
   });
 
-  it('bends as a joint what it bent', async () => {
+  it('still deforms a skin as a joint', async () => {
     const model = await opened(TURN, (json) => {
       json.nodes!.push({ name: 'joint', matrix: SHEAR });
       json.scenes![0].nodes!.push(1);
@@ -97,7 +97,7 @@ describe('a sheared node', () => {
     joint.getWorldMatrix().forEach((value, i) => expect(value).toBeCloseTo(SHEAR[i], 12));
   });
 
-  it('loses its shear, which is said, where an animation or levels of detail place it', async () => {
+  it('loses its shear, with a note, if an animation or levels of detail move it', async () => {
     const animated = await opened(SHEAR, (json) => {
       const times = json.accessors!.push({ componentType: 5126, count: 1, type: 'SCALAR' }) - 1;
       const values = json.accessors!.push({ componentType: 5126, count: 1, type: 'VEC3' }) - 1;
@@ -120,7 +120,7 @@ describe('a sheared node', () => {
     expect(levels.document.getRoot().listNodes()).toHaveLength(3);
   });
 
-  it('is none where the matrix turns, scales, mirrors or has six digits', async () => {
+  it('is not detected in rotations, scales, reflections and matrices with six digits', async () => {
     const mirrored = TURN.map((value, i) => (i === 10 ? -value : value));
     const printed = [0.866025, 0.5, 0, 0, -0.5, 0.866025, 0, 0, 1e-6, 0, 1, 0, 0, 0, 0, 1];
     for (const matrix of [TURN, mirrored, printed]) {

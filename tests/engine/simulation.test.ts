@@ -288,7 +288,7 @@ describe('a solver of the panel', () => {
   });
 });
 
-describe('what a body moves as by itself', () => {
+describe('the default model of a body', () => {
   const closed = box(2, 2, 2);
   const open = grid(3, 3);
   const modelOf = (mesh: TriangleMesh) =>

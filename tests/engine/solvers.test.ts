@@ -98,7 +98,7 @@ describe.each(SOLVER_NAMES)('the profile %s', (name) => {
     expect(totalMass(constants, fine) / expected).toBeCloseTo(1, 9);
   });
 
-  it('takes the parameters that it is asked for, and these alone', () => {
+  it('accepts its own parameters, and only these', () => {
     const [{ name: first, min }] = profile.parameters;
     expect(engineValues(name, `${first}=${Math.max(min, 0.25)}`)).toEqual({ [first]: Math.max(min, 0.25) });
     expect(() => engineValues(name, 'stickiness=1')).toThrow(
@@ -108,7 +108,7 @@ describe.each(SOLVER_NAMES)('the profile %s', (name) => {
 });
 
 describe('a plate', () => {
-  it('is what its constants say', () => {
+  it('follows from its constants', () => {
     const plate = { young: 3e6, poisson: 0.2, thickness: 0.004 };
     expectClose(plateOf(plateConstants(plate)), plate);
     expectClose(plateOf(plateConstants({ ...plate, poisson: -0.4 })), { ...plate, poisson: -0.4 });
@@ -178,7 +178,7 @@ describe('blender', () => {
     });
   });
 
-  it('has the damping and the air of a vertex of 0.3 kg for that mass, and as much less for a lighter one', () => {
+  it('has Blender’s default damping and air for a vertex of 0.3 kg, and less in proportion for a lighter one', () => {
     const { values } = stateOf('blender', fine, { mass: 0.3 });
     expectClose(values, { air: 1, tension_damping: 5, bending_damping: 0.5 });
     const share = stateOf('blender').values.mass / 0.3;
@@ -197,7 +197,7 @@ describe('blender', () => {
     expect(values.distance_min).toBeCloseTo(0.02 * edges, 12);
   });
 
-  it('typed in again has the mass of fewer vertices', () => {
+  it('with the same numbers typed in again has the mass of fewer vertices', () => {
     const { untouched, original } = statesOf(
       profileOf('blender'),
       { original: torus(40, 24), result: torus(16, 10), unit: 1 },
@@ -313,7 +313,7 @@ describe('substeps', () => {
     expect(needed).toBeLessThanOrEqual(Math.ceil((1.01 * omega) / 60));
   });
 
-  it('are unknown where a triangle has no area, of which no step is short enough', () => {
+  it('are unknown with a triangle of zero area, for which no step is short enough', () => {
     const mesh = {
       positions: Float32Array.from([0, 0, 0, 1, 0, 0, 0.5, 0.1, 0, 0.5, 0, 0]),
       triangles: Uint32Array.from([0, 1, 2, 1, 0, 3]),

@@ -56,7 +56,7 @@ test('bodies fall along y, and where their node makes z up they fall along z', (
   expect(Math.abs(a) + Math.abs(b)).toBeLessThan(-0.05 * c);
 });
 
-test('a setup without a rotation keeps its meshes as they are', () => {
+test('a setup without a rotation keeps its meshes unchanged', () => {
   const setup = setupOf(null);
   expect(standingSetup(setup).original.positions).toBe(setup.original.positions);
 });

@@ -15,7 +15,7 @@ test.each(['--help', '-h'])('%s prints the usage, and nothing is built or served
   expect(stdout).toMatch(/^Usage: npm start\n[^]*PORT[^]*HOST/);
 });
 
-test('a flag that is not known is refused in one sentence', () => {
+test('an unknown flag is refused in one sentence', () => {
   const { status, stdout, stderr } = start('--port', '80');
   expect([status, stdout]).toEqual([2, '']);
   expect(stderr).toBe(

@@ -82,7 +82,7 @@ const values = (primitive: Primitive, name: string): number[] => [
 ];
 
 describe('tangents', () => {
-  it('are MikkTSpace of the result where those of the file were', async () => {
+  it('are recomputed by MikkTSpace if those of the file were', async () => {
     const primitives = await optimized(sheet(), 0.3);
     for (const primitive of primitives) {
       const made = tangentsAt(primitive);
@@ -100,7 +100,7 @@ describe('tangents', () => {
     expect(hands[0]).toBe(-hands[1]);
   });
 
-  it('stay to the bit where no face has changed', async () => {
+  it('stay bit-equal if no face has changed', async () => {
     const document = sheet();
     const before = document.getRoot().listMeshes()[0].listPrimitives();
     const after = await optimized(document, 1);
@@ -112,7 +112,7 @@ describe('tangents', () => {
     });
   });
 
-  it('are carried where the file has others', async () => {
+  it('are interpolated if the file has others', async () => {
     const turned = ([x, y, z, w]: number[]) => [y, -x, z, w];
     const [primitive] = await optimized(sheet(turned), 0.3);
     const made = tangentsAt(primitive);

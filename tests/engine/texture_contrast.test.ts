@@ -80,7 +80,7 @@ async function weightsOf(source: Document) {
 }
 
 describe('the weights of texture coordinates', () => {
-  it('are 0 on one colour', async () => {
+  it('are 0 on a texture of one colour', async () => {
     expect(await weightsOf(sheetOf(picture(flat)))).toEqual([0, 0]);
   });
 
@@ -99,7 +99,7 @@ describe('the weights of texture coordinates', () => {
       expect(weight / ((step * step) / 2)).toBeCloseTo(1, 0);
   });
 
-  it('are as those of a PNG where the picture is a JPEG', async () => {
+  it('are the same for a JPEG as for a PNG', async () => {
     const jpeg = async (colour: Colour) => sharp(picture(colour)).jpeg({ quality: 100 }).toBuffer();
     const [left, right] = (await weightsOf(sheetOf(await jpeg(halfFlat), setJpeg)))!;
     expect(left).toBeLessThan(0.001);
@@ -107,14 +107,14 @@ describe('the weights of texture coordinates', () => {
     expect(await weightsOf(sheetOf((await jpeg(halfFlat)).subarray(0, 60), setJpeg))).toBeNull();
   });
 
-  it('see alpha where it cuts the surface out', async () => {
+  it('include alpha if it cuts the surface out', async () => {
     const cut = picture((x, y) => [9, 9, 9, checker(x, y)[0]]);
     expect(await weightsOf(sheetOf(cut))).toEqual([0, 0]);
     for (const weight of (await weightsOf(sheetOf(cut, (material) => material.setAlphaMode('MASK'))))!)
       expect(weight).toBeGreaterThan(0.5);
   });
 
-  it('look at the other textures of a material, too, and where a transform puts them', async () => {
+  it('include the other textures of a material, with their transforms', async () => {
     const normals = (material: Material, document: Document) =>
       material.setNormalTexture(
         document
@@ -133,7 +133,7 @@ describe('the weights of texture coordinates', () => {
     expect(await weightsOf(sheetOf(picture(halfFlat), moved))).toEqual([0, 0]);
   });
 
-  it('are 1 where a picture cannot be looked at', async () => {
+  it('are 1 if a picture cannot be decoded', async () => {
     const good = picture(flat);
     const broken = good.slice(0, 60);
     const wrong = good.map((byte, i) => (i > 40 ? byte ^ 85 : byte));
@@ -151,7 +151,7 @@ describe('the weights of texture coordinates', () => {
     expect(await weightsOf(sheetOf(good, foreign))).toBeNull();
   });
 
-  it('look at small pictures of a file before one that leaves no room for them', async () => {
+  it('decode small pictures of a file before a large one that would use up the budget', async () => {
     const large = picture(flat);
     new DataView(large.buffer).setUint32(16, 1024);
     new DataView(large.buffer).setUint32(20, MOST_PIXELS / 1024);

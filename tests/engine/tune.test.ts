@@ -22,7 +22,7 @@ const options: TuneOptions = {
 };
 
 describe('tuning through the core', () => {
-  it('brings frequencies nearer with two factors', () => {
+  it('reduces frequency errors with two factors', () => {
     const tuned = core.tuneSolver(original, coarse, options);
     expect(tuned.frequencies.errorTuned).toBeLessThan(tuned.frequencies.errorUntouched);
     expect(tuned.motion).toBeNull();
@@ -33,7 +33,7 @@ describe('tuning through the core', () => {
     expect(tuned.bendVertices).toHaveLength(4 * edgeCount);
   });
 
-  it('gives factors per vertex and per constraint where they are asked for', () => {
+  it('gives factors per vertex and per constraint if requested', () => {
     const fields = core.tuneSolver(original, coarse, { ...options, tune: 'vertex' });
     expect(fields.bendField).toHaveLength(vertexCount);
     const springs = { stretch: 'edge-springs', bend: 'cross-springs', mass: 'vertex' } as const;
@@ -42,7 +42,7 @@ describe('tuning through the core', () => {
     expect(factors.bendVertices).toHaveLength(2 * factors.bendFactors.length);
   });
 
-  it('tells both numbers of the motion', () => {
+  it('reports the motion deviation both untouched and tuned', () => {
     const { motion } = core.tuneSolver(coarse, coarse, {
       ...options,
       result: { ...constants, bend: 0.05 },
@@ -62,7 +62,7 @@ describe('tuning through the core', () => {
     expect(tuned.frequencies.errorTuned).toBeNaN();
   });
 
-  it('refuses in one sentence', () => {
+  it('refuses invalid input with one sentence', () => {
     expect(() => core.tuneSolver(coarse, original, options)).toThrow('give the finer mesh as the original.');
     const model = { ...options.model, bend: 'rubber' } as unknown as TuneOptions['model'];
     expect(() => core.tuneSolver(original, coarse, { ...options, model })).toThrow('bending element');

@@ -107,7 +107,7 @@ describe('limber optimize --solver springs', () => {
     expect(body.stretch.pairs).toHaveLength((2 * 3 * body.mesh.triangles.length) / 6);
   });
 
-  it('brings the frequencies nearer to the original, or keeps to 1', () => {
+  it('brings the frequencies nearer to the original, or keeps factors of 1', () => {
     const { errorTuned, errorUntouched } = file.frequencies;
     if (file.motion?.kept === 'untouched')
       expect(body.stretch.constant).toBeCloseTo(body.original.stretch, 6);
@@ -132,7 +132,7 @@ describe('limber optimize --solver springs', () => {
     expect(limberSettings).toMatchObject({ engine: body.engine, substeps: body.substeps });
   });
 
-  it('reports what it has found', () => {
+  it('reports the errors', () => {
     const report = JSON.parse(text('report.json')) as Report;
     expect(report.schema).toBe('limber-report/2');
     const found = report.fidelity!.solvers!.springs!;
@@ -226,7 +226,7 @@ describe('further levels', () => {
 });
 
 describe('a map of factors', () => {
-  it('comes as attributes where it is asked for', async () => {
+  it('is written as attributes if requested', async () => {
     const flags = ['--ratio', '0.5', '--solver', 'newton', '--tune', 'vertex', '--settings', 'map.json'];
     expect(await run('optimize', 'torus.obj', 'map.glb', ...flags)).toBe(0);
     const [body] = settingsIn('map.json').bodies;
@@ -237,7 +237,7 @@ describe('a map of factors', () => {
 });
 
 describe('the user’s own parameters', () => {
-  it('come from a file as from the flag', async () => {
+  it('can come from a file instead of the flag', async () => {
     writeFileSync(path('mine.txt'), 'young = 3e5 # soft\nthickness=0.02\n');
     writeFileSync(path('mine.json'), '{ "young": 3e5, "thickness": 0.02 }');
     const of = (value: string) =>
@@ -260,7 +260,7 @@ describe('the user’s own parameters', () => {
   });
 });
 
-describe('what cannot be tuned is refused with one sentence', () => {
+describe('meshes that cannot be tuned are refused with one sentence:', () => {
   it.each([
     [
       ['optimize', 'torus.obj', 'x.glb', '--settings', 'x.json'],

@@ -2,7 +2,7 @@ import { expect, it, vi } from 'vitest';
 import { warmUp } from '../../web/app/worker/warm_up';
 import { loadTestCore } from './support/core';
 
-it('warming up measures a result, and gives back what it holds in the core', async () => {
+it('warming up measures a result, and releases its handles in the core', async () => {
   const core = await loadTestCore(1);
   const measured = vi.spyOn(core, 'measureQuality');
   const kept = [vi.spyOn(core, 'keepMesh'), vi.spyOn(core, 'keepHistory')];
@@ -14,7 +14,7 @@ it('warming up measures a result, and gives back what it holds in the core', asy
   expect(counts(released)).toEqual(counts(kept));
 });
 
-it('warming up ends before its next step once something is asked', async () => {
+it('warming up ends before its next step once there is a request', async () => {
   const core = await loadTestCore(1);
   const modes = vi.spyOn(core, 'findModes');
   const collapsed = vi.spyOn(core, 'simplify');
@@ -23,7 +23,7 @@ it('warming up ends before its next step once something is asked', async () => {
   expect(collapsed).not.toHaveBeenCalled();
 });
 
-it('a core that fails while it warms up is not told', async () => {
+it('a failure of the core while it warms up is not reported', async () => {
   const core = await loadTestCore(1);
   vi.spyOn(core, 'findModes').mockImplementation(() => {
     throw new Error('Not enough memory.');

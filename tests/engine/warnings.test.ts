@@ -17,7 +17,7 @@ const many = (count: number, textOf: (i: number) => string) =>
   Array.from({ length: count }, (_, i) => ofBody(`part ${i}`, textOf(i)));
 
 describe('warnings', () => {
-  it('of a hundred bodies that are the same are one line', () => {
+  it('that are equal for a hundred bodies are one line', () => {
     expect(
       warningLines(
         many(100, () => '2 edges shared by more than two faces, locked'),
@@ -26,14 +26,14 @@ describe('warnings', () => {
     ).toEqual(['each of 100 bodies: 2 edges shared by more than two faces, locked']);
   });
 
-  it('that differ in numbers are one line with their spans', () => {
+  it('that differ in numbers are one line with ranges', () => {
     const warnings = many(3, (i) => `${1000 + 500 * i} seam vertices welded at 2 places, off ${i + 0.5} %`);
     expect(warningLines(warnings, false)).toEqual([
       'each of 3 bodies: 1,000 to 2,000 seam vertices welded at 2 places, off 0.5 to 2.5 %',
     ]);
   });
 
-  it('stay apart where their words differ, in the order in which they came', () => {
+  it('with different words stay separate, in their order', () => {
     const warnings = ['of the file', ...many(2, () => 'a'), ofBody('lamp', 'b'), 'of the file'];
     expect(warningLines(warnings, false)).toEqual(['of the file', '2 bodies: a', 'lamp: b', 'of the file']);
   });
@@ -61,7 +61,7 @@ describe('warnings', () => {
   });
 });
 
-it('say of a mesh that its node scales unevenly what a solver moves, and of others nothing', async () => {
+it('say what a solver moves if a node scales its mesh non-uniformly, and nothing otherwise', async () => {
   const document = startDocument();
   for (const name of ['even', 'uneven']) addMesh(document, name, [primitiveOf(document, torus())]);
   document.getRoot().listNodes()[1].setScale([1, 1, 3]);
@@ -91,7 +91,7 @@ describe('the line of progress', () => {
   });
 });
 
-it('tells the caller of the library, too, of parts whose modes failed', () => {
+it('of parts whose modes failed reach the caller of the library, too', () => {
   const values = new Map<unknown, unknown>([
     [STAGES.constraints, { note: '' }],
     [STAGES.guidingModes, { components: [{ failure: 'No solution was found.' }] }],

@@ -8,7 +8,7 @@ describe('a whole number', () => {
   );
 });
 
-it('has as many digits beside a limit as tell the two apart', () => {
+it('has enough decimals beside a limit to tell the two apart', () => {
   expect([0.5, 4, 0.1].map((limit) => besideLimit(0.0987, limit))).toEqual(['0.10', '0.10', '0.10']);
   expect(besideLimit(0.00012, 0.0001)).toBe('0.00012');
   expect(besideLimit(0.2479, 0.25)).toBe('0.248');
