@@ -44,7 +44,7 @@ class ComparedRuns {
     std::vector<Vec3> displacements;  // [step sampleCount + sample], units of the mesh
   };
 
-  // Announces runs of so many substeps altogether.
+  // Announces runs with this many substeps in all.
   void expect(double substeps) { expected_ += substeps; }
 
   Result run(const Body& body) {

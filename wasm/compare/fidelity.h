@@ -6,7 +6,7 @@
 
 namespace limber {
 
-// How alike two bodies vibrate. Both are solved exactly as Morley shells of the same absolute thickness.
+// How similarly two bodies vibrate. Both are solved exactly as Morley shells of the same absolute thickness.
 // Modes are matched one to one by mass-weighted MAC, after the shapes of the other body have been transferred
 // to the closest points of the original. Errors in %.
 struct Fidelity {

@@ -14,7 +14,7 @@ namespace limber {
 // Modes to compute beyond those that are wanted: a subspace converges as fast as the first mode left out
 // allows.
 inline constexpr int kSpareModes = 6;
-// A body with no more unknowns is solved from scratch in no time.
+// A body with at most this many unknowns is solved from scratch, which is fast.
 inline constexpr int kFewUnknowns = 400;
 
 // The unknowns of a body: how many there are, which are clamped, and how many rigid motions that leaves free.

@@ -23,7 +23,7 @@ struct ModesOptions {
   std::vector<uint32_t> pinned = {};  // ids of the pinned vertices, in any order
   // Where modes are needed for guidance alone: the number of bodies in the file for findModes, which counts
   // the parts of this one itself, and that of all parts otherwise. Solid parts are then solved on coarser
-  // lattices, see latticeCells. 0: modes for their own sake, with the lattice that frequencies need.
+  // lattices, see latticeCells. 0: the modes themselves are wanted, on the lattice that frequencies need.
   uint32_t guidedParts = 0;
 };
 

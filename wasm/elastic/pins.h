@@ -26,7 +26,7 @@ struct EmbeddedPoint {
   const double* weights;
 };
 
-// Ties a point inside an element to its place by springs of the given stiffness along x, y and z. The eight
+// Ties a point in an element to its position by springs of the given stiffness along x, y and z. The eight
 // nodes must be coupled already.
 void addPointSpring(SparsePencil& pencil, const EmbeddedPoint& point, double stiffness);
 

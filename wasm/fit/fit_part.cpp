@@ -122,7 +122,7 @@ FitPart PartFinder::take(uint32_t component) {
   return part;
 }
 
-// Pins are judged by the meshes as they are after the result has been made symmetric.
+// Pins are judged by the meshes after the result has been made symmetric.
 void PartFinder::takeMeshes(uint32_t component, FitPart& part) {
   MeshParts::Part &original = originals_.parts[component], &result = results_.parts[component];
   part.wholeVertex = result.vertices;

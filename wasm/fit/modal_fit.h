@@ -18,7 +18,7 @@ struct ModalFitResult {
   std::vector<double> errorBefore, errorAfter;
   uint32_t flips = 0;     // of edges
   uint32_t large = 0;     // components that were fitted as large ones
-  uint32_t tooLarge = 0;  // large components that were left as they are
+  uint32_t tooLarge = 0;  // large components that were not fitted
 };
 
 // Moves the vertices of a result, by fractions of an edge, so that it vibrates like the original. Over each

@@ -8,7 +8,7 @@
 
 namespace limber {
 
-// The limits that the steps of a part keep, and what watches over one of them.
+// The limits that the steps of a part keep, and the guard of the deviation.
 struct PartLimits {
   std::optional<DeviationGuard> deviation;
   StepLimits steps;  // refers to `deviation`

@@ -17,7 +17,7 @@ namespace limber {
 // while the sizes of its sheets stay the original's. With E(dx) the squared distance (SurfaceFit), a round
 // takes
 //   dx = A^-1 (g + C lambda),    C^T dx = sizes of the original - sizes of the result,
-// the least distance under linear conditions (Nocedal and Wright 2006, section 16.1), where the columns of C
+// the least distance under linear constraints (Nocedal and Wright 2006, section 16.1), where the columns of C
 // are the derivatives of area and outline. The multipliers lambda are shortened where meeting the conditions
 // would cost more distance than the round gains, so that no round is worse than none.
 //
@@ -37,9 +37,9 @@ class ShapeRounds {
   double startDistance() const { return startDistance_; }
 
  private:
-  // The matrix of a round is gone before the step is taken: each of both takes much memory.
+  // The matrix of a round is freed before the step is taken, because both take much memory.
   Eigen::VectorXd nextStep();
-  // `sizes` and `sizeGradients`: those of the mesh as it is.
+  // `sizes` and `sizeGradients`: those of the present mesh.
   Eigen::VectorXd stepOf(const SurfaceFit& fit, const Eigen::Vector2d& sizes,
                          const Eigen::MatrixX2d& sizeGradients) const;
   bool isClosed() const { return wanted_[1] == 0; }

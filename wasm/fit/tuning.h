@@ -47,7 +47,7 @@ inline constexpr double kEvenness = 0.003;
 inline constexpr double kMostLift = 0.02;
 }  // namespace surface_rounds
 
-// How far the search may move the surface. Distance is the price of frequencies.
+// How far the search may move the surface. It trades distance for frequencies.
 namespace budget {
 // The root mean square distance may grow to this many times that of the result before the fit. 1.25
 // (with 6.3e-4 below) has errors of frequency 7 % larger and distances 8 % smaller.
@@ -58,16 +58,16 @@ inline constexpr double kLeast = 7e-4;
 
 // What one search does differently for small and for large components.
 struct SearchEffort {
-  int mostRounds;             // at most so many Gauss-Newton rounds
+  int mostRounds;             // largest number of Gauss-Newton rounds
   double goodEnough;          // mean square at which the search ends
   double initialDamping;      // of the first step, relative to the area around a vertex
   double mostResidualWeight;  // squared budgets of distance that a sum of squared residuals of 1 may cost
 };
 
-// A hundred rounds in place of 24 lower the error by 3 %. The search ends at 0.05 % of frequency. A weight of
-// 100 in place of 700 nearly doubles the error of frequencies and lowers the distance by 18 %.
+// A hundred rounds instead of 24 lower the error by 3 %. The search ends at 0.05 % of frequency. A weight of
+// 100 instead of 700 nearly doubles the frequency error and lowers the distance by 18 %.
 inline constexpr SearchEffort kSearch{24, 1e-6, 0.01, 700};
-// Large components are off by little, so that residuals are nearly linear and long steps are right: less
+// Large components have small errors, so that residuals are nearly linear and long steps are right: less
 // damping, fewer rounds, and an end at 0.01 % of frequency.
 inline constexpr SearchEffort kLargeSearch{6, 4e-8, 5e-4, 3500};
 
@@ -110,7 +110,7 @@ inline constexpr double kMostScale = 1e6;  // of the damping scale
 
 // When a search ends: see StopRule. `Root` values are differences of the root of a mean square.
 namespace stopping {
-// Rounds over which progress is judged. Two in place of three save 8 % of the time and raise the error by 5
+// Rounds over which progress is measured. Two instead of three save 8 % of the time and raise the error by 5
 // %.
 inline constexpr size_t kPatience = 3;
 // The search ends where kPatience rounds leave more than kStagnant of the merit and lower its root by less
@@ -126,7 +126,7 @@ inline constexpr uint32_t kManyVertices = 5000;
 inline constexpr double kGoodEnoughOfMany = 4e-6;
 }  // namespace stopping
 
-// The modes that the search aims at: see ModalTarget.
+// The target modes of the search: see ModalTarget.
 namespace target {
 inline constexpr size_t kThicknesses = 3;
 // Thicknesses of the shell at which modes are compared, as multiples of the material's.

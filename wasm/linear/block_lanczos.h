@@ -10,7 +10,7 @@ inline constexpr Eigen::Index kBlocksBesideBasis = 3;
 
 struct BlockLanczosOptions {
   Eigen::Index pairs;        // of the lowest eigenvalues to return, >= exact
-  Eigen::Index exact;        // so many of them have to converge, >= 1
+  Eigen::Index exact;        // how many of them have to converge, >= 1
   double tolerance;          // on their inverse residuals, > 0
   Eigen::Index mostVectors;  // of the basis, >= the columns of the start
 };

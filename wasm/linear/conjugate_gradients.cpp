@@ -62,7 +62,7 @@ class Solve {
       conjugate(direction, residual, ratio);
       const Numbers curvature = multiply(direction, product);
       if (!((curvature > 0) || (squares <= enough)).all()) break;
-      // A column that has converged stays as it is.
+      // A column that has converged no longer changes.
       const Numbers length = (squares > enough).select(squares / curvature, 0);
       const Numbers next = sumOver([&](size_t node) -> Numbers {
         x[node].array() += direction[node].array().rowwise() * length;

@@ -159,7 +159,7 @@ class RingSearch {
   }
 
  private:
-  static constexpr size_t kFewTriangles = 512;  // looked at one by one; an even mesh has 36
+  static constexpr size_t kFewTriangles = 512;  // tested one by one; an even mesh has 36
 
   const TriangleMesh& mesh_;
   const Topology& topology_;

@@ -4,8 +4,8 @@
 
 namespace limber {
 
-// Sizes, in vertices, from which large shells are solved and fitted in another way. Each number stands here
-// alone.
+// Sizes, in vertices, from which large shells are solved and fitted in another way. Each number is defined
+// only here.
 
 // A shell part with more vertices is solved by way of a decimated copy, unless an exact solve is asked for:
 // the time of an exact solve grows faster than that of a copy with refinement.
@@ -29,7 +29,7 @@ inline constexpr uint32_t kGuidingCopyVertices = 1000;
 // rounds, because its frequencies are off by tenths of a percent and time counts.
 inline constexpr uint32_t kLargeResultVertices = 20000;
 
-// A part with at most so many vertices keeps few threads busy, so that small parts are solved in parallel.
+// A part with at most this many vertices keeps few threads busy, so small parts are solved in parallel.
 inline constexpr uint32_t kSmallPartVertices = 4000;
 
 }  // namespace limber

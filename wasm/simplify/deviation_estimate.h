@@ -22,7 +22,7 @@ class DeviationEstimate {
   // Keeps a reference to the mesh.
   explicit DeviationEstimate(const CollapseMesh& mesh);
 
-  // The estimate for a collapse of the mesh as it is; a length in units of the mesh, >= 0. O(triangles around
+  // The estimate for a collapse of the present mesh; a length in units of the mesh, >= 0. O(triangles around
   // its ends).
   double of(const Collapse& step);
   // To be called before the mesh carries out a collapse. Returns its estimate.

@@ -14,7 +14,7 @@ namespace {
 // values allow more collapses and more folds.
 constexpr double kSmallestCosine = 0.2;
 // A face whose height is a smaller part of its longest edge has practically no area. No collapse may make
-// such a face, though one that exists may stay as it is.
+// such a face, though one that exists may stay.
 constexpr double kSmallestHeight = 1e-6;
 // Below this part of the longest edge the height is float32 noise, so the face has no side that could flip.
 constexpr double kNoise = 1e-8;

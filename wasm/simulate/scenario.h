@@ -41,7 +41,7 @@ struct Scenario {
   double seconds = 0;             // of the whole motion, > 0
   double unit = 1;                // metres per unit of the mesh
   CollisionScene added = {};      // joins what the scenario has by itself; its ground replaces the scenario's
-  std::optional<Pose> pose = {};  // see startPose; none: the body starts as it is
+  std::optional<Pose> pose = {};  // see startPose; none: the body starts unchanged
 
   int axis() const;
   // The direction of sway and wind: the shortest side of the box (the last of equal ones).
@@ -52,7 +52,7 @@ struct Scenario {
 // % of the length of the axis of its lower end, of its upper end, or of both. None for drop and drape.
 std::vector<uint32_t> defaultPins(const TriangleMesh& mesh, const Scenario& scenario);
 
-// How the scenario of this kind poses the original at its start; none where it leaves it as it is.
+// How the scenario of this kind poses the original at its start; none where it does not.
 std::optional<Pose> startPose(const ScenarioKind* kind, const TriangleMesh& original);
 // Whether the body collides with itself whatever SimulationOptions say.
 bool touchesItself(const Scenario& scenario, const TriangleMesh& mesh);

@@ -22,7 +22,7 @@ inline constexpr int kMostSubsteps = 10000;  // of a step
 enum class SimulationModel : int32_t { Springs = 0, Shell = 1, Solid = 2 };
 
 // Positions and lengths of the mesh, of pins and of colliders are in units of the mesh; everything else is in
-// SI units. Defaults and ranges that users see live in web/engine/settings/options.ts alone.
+// SI units. Defaults and ranges that users see are in web/engine/settings/table.ts.
 struct SimulationOptions {
   ElasticMaterial material;
   SimulationModel model = SimulationModel::Shell;

@@ -25,7 +25,7 @@ struct SearchLimits {
 //   E(dx) + mu |dx|_D^2 + w |r + J dx|^2
 // over the displacements dx, where E is the surface distance (SurfaceFit), r the mismatch of modes (Mismatch)
 // and J its Jacobian, mu and D the damping (Damping), and w as large as the budget allows (BudgetedStep). A
-// guarded step (GuardedStep) makes of dx what keeps the faces sound. To be used within a WholePhase.
+// guarded step (GuardedStep) shortens dx where faces would be harmed. To be used within a WholePhase.
 class ModalSearch {
  public:
   // Keeps references to what the problem and the limits refer to. Throws Cancelled.

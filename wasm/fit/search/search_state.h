@@ -11,7 +11,7 @@
 
 namespace limber {
 
-// A mesh on the way of a search, and what is known of it.
+// A mesh during a search, with its evaluation.
 struct SearchState {
   TriangleMesh mesh;
   Mismatch mismatch;         // of its modes
@@ -23,7 +23,7 @@ struct SearchState {
   double merit(double budget) const;
 };
 
-// What a search works on.
+// The input of a search.
 struct SearchProblem {
   const FitPart& part;
   const ClosestPointTree& treeOfOriginal;

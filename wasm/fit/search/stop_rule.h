@@ -14,7 +14,7 @@ class StopRule {
 
   // To be called with the best merit after each round.
   void add(double bestMerit) { merits_.push_back(bestMerit); }
-  // Progress is judged from here on.
+  // Measures progress from here on.
   void restart() { merits_.clear(); }
 
   bool isMet(double bestMerit) const;

@@ -26,8 +26,8 @@ struct FitSamples {
 };
 
 // At least `count` points of the surface, about `count` / n on each of its n triangles that have area, evenly
-// within it. Triangles larger than the mean get as many more as they are larger: else a few points would
-// stand for a large flat side, whose corners, far from all of them, would be free to move.
+// within it. Triangles larger than the mean get more in proportion to their area: else a few points would
+// represent a large flat side, whose corners, far from all of them, would be free to move.
 FitSamples sampleForFit(const TriangleMesh& original, const Topology& topology, uint32_t count,
                         const EdgeList& featureEdges);
 

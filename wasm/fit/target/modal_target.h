@@ -30,9 +30,9 @@ struct ModalTargetOptions {
   uint32_t coarseVertices = kCoarseVertices;
 };
 
-// What the fit aims at: the shell modes of the original at half, once and twice the thickness. Frequencies of
+// The target of a fit: shell modes of the original at half, once and twice the thickness. Frequencies of
 // a shell are a part for its membrane plus one for its bending, which depends on the thickness, so that a
-// mesh that is right at several thicknesses is right for the right reason. Original and result are both in
+// mesh that is right at several thicknesses has both parts right. Original and result are both in
 // the frame where the original's diagonal is 1. To be used within a WholePhase.
 class ModalTarget {
  public:

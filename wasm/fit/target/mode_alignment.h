@@ -10,7 +10,7 @@ namespace limber {
 
 // Modes phi of a mesh after a rotation R within neighbourhoods of frequencies, psi = phi R, that brings each
 // as close as possible to its partner among the modes of the original. Modes of nearly the same frequency
-// come in any mixture; compared one by one they would move vertices for nothing.
+// are unique only up to a rotation; compared one by one they would move vertices for nothing.
 struct AlignedModes {
   Eigen::MatrixXd rotation;   // R: a row for each mode of the mesh, a column for each of the original
   Eigen::MatrixXd stiffness;  // psi^T K psi

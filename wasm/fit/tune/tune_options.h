@@ -47,7 +47,7 @@ struct TunedMotion {
   KeptParameters kept = KeptParameters::Tuned;
 };
 
-// The parameters with which a solver moves a coarse mesh as it moves the original. Constraints are those of
+// The parameters with which a solver moves a coarse mesh like the original. Constraints are those of
 // SolverStiffness in its order.
 struct Tuned {
   double stretchFactor = 1, bendFactor = 1;         // on TuneOptions::result

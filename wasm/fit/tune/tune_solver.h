@@ -7,7 +7,7 @@
 namespace limber {
 
 // Finds the parameters with which a solver moves a coarse mesh as it moves the original, while the shape of
-// the mesh stays as it is: masses, and factors on the stiffness of its constraints, so that the lowest
+// the mesh itself is unchanged: masses, and factors on the stiffness of its constraints, so that the lowest
 // frequencies are those of the original in the same solver. At rest the stiffness is linear in the factors,
 // so the derivatives of all eigenvalues are exact and cost nothing.
 //

@@ -15,7 +15,7 @@ struct WeldOptions {
   // a single vertex, however long it is, at the position of its lowest vertex.
   double tolerance = 0;
   // Counts duplicate faces but leaves them in the mesh, where they make edges with more than two faces. For a
-  // report of the file as it is, not for work on the body.
+  // report of the unchanged file, not for work on the body.
   bool keepDuplicates = false;
 };
 

@@ -31,7 +31,7 @@ template <class Real>
 struct OptimumFinder::Minimum {
   Point<Real> position;
   Real error;   // E_QEM
-  Real excess;  // positive where the position lies too far off
+  Real excess;  // positive where the position is too far away
 };
 
 template <class Real>

@@ -29,7 +29,7 @@ namespace limber {
 // - kTolerance: of two costs whose ratio is below this, either may go first; 1 for an exact order.
 // - expectedCost(edge, cost): an estimate of the cost of an edge, which has been `cost`, after its own ends
 //   have changed.
-// - collapse: to be called before the mesh carries out a collapse; updates what is known of the kept vertex.
+// - collapse: to be called before the mesh carries out a collapse; updates the data of the kept vertex.
 template <class Cost>
 concept CostPolicy = std::constructible_from<Cost, const TriangleMesh&, const CollapseMesh&, const Guidance&,
                                              const SimplifyOptions&> &&

@@ -17,7 +17,7 @@ namespace limber {
 // energy of Macklin and Mueller 2021, V (mu / 2 |F|^2 + lambda / 2 (det F - 1 - mu / lambda)^2): a deviatoric
 // constraint |F| of compliance 1 / (mu V) and a hydrostatic one det F - 1 - mu / lambda of compliance
 // 1 / (lambda V). With lambda = lambda_Lame + mu it is Hooke's law at rest (Smith, de Goes and Kim 2018).
-// Deviation: both constraints are solved together, so that a body at rest stays exactly as it is, and with an
+// Deviation: both constraints are solved together, so that a body at rest stays exactly at rest, and with an
 // upper bound on the Hessian of all of F instead of its projection onto the two gradients, so that shear is
 // implicit too and stiff bodies do not oscillate.
 //

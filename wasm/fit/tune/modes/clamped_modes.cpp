@@ -12,7 +12,7 @@
 namespace limber {
 namespace {
 
-// The modes of an original with at most so many vertices are searched for from scratch, which takes little
+// The modes of an original with at most this many vertices are searched from scratch, which takes little
 // time; those of a larger one are refined from those of the result.
 constexpr uint32_t kSearchedVertices = 3000;
 constexpr int kMargin = 8;  // extra modes of the result, as the order of modes may differ

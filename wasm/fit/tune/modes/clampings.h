@@ -8,7 +8,7 @@
 
 namespace limber {
 
-// How a body is held while its modes are compared. The lower and the other end are those of the longest side
+// How a body is clamped while modes are compared. The lower and the other end are those of the longest side
 // of the bounding box of the original.
 enum class ClampKind : uint8_t { Free, LowerEnd, UserPins, OtherEnd };
 

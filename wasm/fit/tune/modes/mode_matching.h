@@ -11,8 +11,8 @@ struct ModeRange {
 };
 
 // Groups ascending eigenvalues, all above 0, into clusters of nearly equal ones: within 1 % of the first of
-// their cluster, half a percent in frequency. The shapes of modes in a cluster come in any mixture, so that
-// only what depends on their span says anything.
+// their cluster, half a percent in frequency. The shapes in a cluster are arbitrary within their span, so
+// only quantities of that span are meaningful.
 std::vector<ModeRange> modeClusters(const Eigen::VectorXd& lambda);
 
 // The mode of a coarse mesh that stands for each mode of the original. `overlap(j, i)`: inner product in the
@@ -21,7 +21,7 @@ std::vector<ModeRange> modeClusters(const Eigen::VectorXd& lambda);
 //
 // A mode that shares more than half of its squared norm (MAC) with the span of a cluster stands for one of
 // it, wherever it stands itself: of several those that share most, in ascending order. All others follow in
-// ascending order. The result does not depend on the mixture in which the modes of a cluster come.
+// ascending order. The result does not depend on the basis in which the modes of a cluster come.
 std::vector<Eigen::Index> matchModes(const Eigen::MatrixXd& overlap, const std::vector<ModeRange>& clusters);
 
 }  // namespace limber

@@ -38,7 +38,7 @@ class TuneProblem {
   // ln(lambda / lambda of the original) of the fitted modes.
   Eigen::VectorXd residuals() const;
   // Their exact derivatives by the logarithms of the factors: fitted modes x constraints of the body. Modes
-  // of the result with nearly equal eigenvalues have the mean of theirs, which does not depend on the mixture
+  // of the result with nearly equal eigenvalues have the mean of theirs, which does not depend on the basis
   // that a solver finds.
   Eigen::MatrixXd jacobian() const;
   // Mean relative error of the fitted frequencies in %.

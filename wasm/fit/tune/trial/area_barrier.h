@@ -9,14 +9,14 @@
 
 namespace limber {
 
-// What keeps the triangles of a body from collapsing in a large motion. A sheet of St. Venant-Kirchhoff gives
-// way from a compression to 1/sqrt(3) on, and triangles of springs resist no loss of area at all; but where
+// Keeps the triangles of a body from collapsing in a large motion. A St. Venant-Kirchhoff sheet loses its
+// stiffness when compressed below 1/sqrt(3), and triangles of springs resist no loss of area; but where
 // a triangle has no area, the angles of its hinges jump, so that the energy has no minimum there.
 //
 // From an area ratio J = A / A0 of J0 = 1/sqrt(3) down a triangle has the energy 1/2 k A0 ln(J0 / J)^2, which
 // is continuous with its derivative and has no bound. Above J0 it has none: small strains are those of the
-// solver alone. A triangle whose height at rest is less than 1e-4 of its longest edge has as much less of it
-// as MembraneElement says, and one of no area at rest has none.
+// solver alone. For a triangle whose height at rest is less than 1e-4 of its longest edge it is lowered in
+// the way of MembraneElement, and one of no area at rest has none.
 class AreaBarrier {
  public:
   // `stiffness`: k in N/m, >= 0. Rest positions in metres. Copies what it needs.

@@ -5,7 +5,7 @@
 namespace limber {
 namespace {
 
-// A step is divided into at most so many.
+// The most parts that a step is divided into.
 constexpr int kMostParts = 16;
 
 double inertiaOfBdf2(double step) {

@@ -32,7 +32,7 @@ constexpr int kMostShortenings = 20;
 // A step that is expected to decrease the objective by less than this fraction is not checked: differences
 // as small may be rounding.
 constexpr double kUnchecked = 1e-9;
-// A factorisation of dense fronts does about so many times as many multiplications a second as a solve, which
+// The rate of multiplications in a factorisation of dense fronts over that in a solve, which
 // waits for memory.
 constexpr double kDenseSpeed = 4;
 // Solves that a fresh factorisation takes as well.

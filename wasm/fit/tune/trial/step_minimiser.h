@@ -17,8 +17,8 @@ struct StepObjective {
 
 // Finds the minimum of an implicit step by Newton's method with a line search.
 //
-// Newton's equations are solved by preconditioned conjugate gradients, which take a direction of negative
-// curvature for what it is: they stop there, and the line search goes on from what they have (Steihaug 1983).
+// Newton's equations are solved by preconditioned conjugate gradients, which stop at a direction of negative
+// curvature; the line search continues from the solution found so far (Steihaug 1983).
 // The preconditioner is a factorisation at an earlier state of the body, of the part of its second derivative
 // that is positive semidefinite whatever the stress, with its inertia. It is renewed when the iterations that
 // it has cost since amount to a factorisation: so the work is at most about twice that of the best choice

@@ -10,13 +10,13 @@
 
 namespace limber {
 
-// One body on its way through a scene of MotionTrial.
+// The run of one body through a scene of MotionTrial.
 struct TrialRun {
   const TrialScene& scene;
   const MovingBody& body;
   Pins pins = {};                           // of the body in this scene
   std::vector<SurfacePoint> samples = {};   // points of the body that are followed
-  uint32_t stride = 1;                      // every step is as long as so many of the scene
+  uint32_t stride = 1;                      // steps of the scene in one step of this run
   uint32_t recordEvery = 1;                 // steps of the scene between records, divisible by `stride`
   std::function<void(double)> report = {};  // called with the fraction that is done
 
