@@ -1,6 +1,6 @@
 /** What becomes of files that are opened together: a model, several models for the queue, or a settings file for the open model. */
 
-import { wayOfOtherFormat } from '../../engine/document/checks/other_formats';
+import { describeConversion } from '../../engine/document/checks/other_formats';
 import { isModelName } from '../../engine/document/format_names';
 import type { SourceFile } from '../../engine/document/open';
 import { closeQueue, fillQueue } from '../state/queue/queue';
@@ -29,7 +29,7 @@ export async function openAll(files: SourceFile[]): Promise<void> {
 /** Which files beside models are meant to be opened and cannot be, and the cure; undefined where there are none. */
 function describeLeftOut(files: readonly SourceFile[]): string | undefined {
   if (!files.some(({ name }) => isModelName(name))) return undefined;
-  const [first, ...others] = files.flatMap(({ name }) => wayOfOtherFormat(name) ?? wayOfSettings(name) ?? []);
+  const [first, ...others] = files.flatMap(({ name }) => describeConversion(name) ?? wayOfSettings(name) ?? []);
   if (others.length === 0) return first;
   return sayCounted(
     others.length,
