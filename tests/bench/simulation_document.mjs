@@ -114,7 +114,7 @@ function asGoodAs(mesh, error, faces) {
 
 function rowsOf({ mesh: name, title, faces, before, after }) {
   const mesh = meshNamed(name);
-  const printed = [title, 'paper, as printed', `${mesh?.faces ?? ''} -> ${faces}`, 'not told'];
+  const printed = [title, 'paper, as printed', `${mesh?.faces ?? ''} -> ${faces}`, 'not given'];
   const rows = [[...printed, `${before} -> ${after.toFixed(1)} ms`, `x ${(before / after).toFixed(2)}`, '']];
   if (!mesh) return rows;
   const papers = reduced(mesh, 'paper', faces);
@@ -148,7 +148,7 @@ async function writeTable() {
     'frequency error',
     'a step',
     'S (Eq. 12)',
-    'edges, the ceiling of S',
+    'edges, upper bound of S',
   ];
   const text = readFileSync(path, 'utf8');
   const content = [begin, table(header, PAPER.flatMap(rowsOf)), end].join('\n\n');
