@@ -80,6 +80,18 @@ describe('with less address space than the core may use', () => {
     expect(core.heapLimit).toBe(256 * 2 ** 20);
     expect(core.inspect({ positions: new Float32Array(9), triangles: new Uint32Array() }).faces).toBe(0);
   });
+
+  it('says that there is none at all', async () => {
+    WebAssembly.Memory = class extends Memory {
+      constructor() {
+        super({ initial: 0 });
+        throw new RangeError('WebAssembly.Memory(): could not allocate memory');
+      }
+    };
+    await expect(loadCore({ threads: 1, wasmFolder })).rejects.toThrow(
+      /^The core gets no memory from the system: close .*, or allow more address space \(ulimit -v\)/,
+    );
+  });
 });
 
 describe('a model that needs more', () => {

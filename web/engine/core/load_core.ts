@@ -48,12 +48,16 @@ export async function loadCore(options: CoreOptions): Promise<Core> {
   return { ...wrapModule(module, threads, options.onProgress), heapLimit };
 }
 
+/** Engines reserve this address space at once, however small the maximum of the memory is. */
+const NO_MEMORY =
+  'The core gets no memory from the system: close what else takes it, or allow more address space (ulimit -v), of which WebAssembly takes 10 GB.';
+
 /** Bytes of a page of WebAssembly memory. */
 const PAGE = 2 ** 16;
 
 /**
  * A memory that may grow to `bytes`, or to half of that, a quarter and so on where the engine lacks the address
- * space, as on phones. Throws an Error where the core could not start in it.
+ * space, as on phones. Throws an Error where the core could not start in it, or where there is none at all.
  */
 function reserveMemory(
   bytes: number,
@@ -66,7 +70,8 @@ function reserveMemory(
     return { wasmMemory, heapLimit: maximum * PAGE };
   } catch (error) {
     const half = (maximum * PAGE) / 2;
-    if (!(error instanceof RangeError) || half < SMALLEST_HEAP) throw error;
+    if (!(error instanceof RangeError)) throw error;
+    if (half < SMALLEST_HEAP) throw new Error(NO_MEMORY);
     return reserveMemory(half, shared);
   }
 }
