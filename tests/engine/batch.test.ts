@@ -302,6 +302,21 @@ describe('limber batch', () => {
     expect(existsSync(path('out/.limber-batch/lock.json'))).toBe(false);
   });
 
+  it('leaves nothing unfinished behind where it is stopped, and says how to go on', async () => {
+    for (const name of ['a', 'b', 'c', 'd']) write(`src/${name}.obj`, toObj(torus(64, 32)));
+    const run = spawn(process.execPath, [program, 'batch', 'src', 'out', '--quiet'], { cwd: folder });
+    const said: Buffer[] = [];
+    run.stderr.on('data', (words: Buffer) => said.push(words));
+    while (!existsSync(path('out/.limber-batch/work'))) await new Promise((done) => setTimeout(done, 5));
+    run.kill('SIGINT');
+    expect(await new Promise((done) => run.on('close', done))).toBe(130);
+    expect(Buffer.concat(said).toString()).toBe(
+      'limber: stopped; the same command goes on with what is left.\n',
+    );
+    expect(existsSync(path('out/.limber-batch/work'))).toBe(false);
+    expect(existsSync(path('out/.limber-batch/lock.json'))).toBe(false);
+  });
+
   it('has the results of an undisturbed run after kills at random moments', () => {
     const { status, stdout } = spawnSync(
       process.execPath,

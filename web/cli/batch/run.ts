@@ -45,6 +45,8 @@ export class BatchRun {
   private readonly progress: BatchProgress;
   private readonly results: Results;
   private readonly jobs: Job[];
+  /** the folder of the jobs */
+  private readonly work: string;
   private readonly looks = new Map<string, Promise<AssetRecord | null>>();
   private next = 0;
 
@@ -63,11 +65,11 @@ export class BatchRun {
       known: journal.all().flatMap(({ written }) => written.map(({ name }) => name)),
       lookAt: (asset) => this.lookAt(byName.get(asset)!),
     });
-    const work = join(resolve(out), OWN_FOLDER, 'work');
+    this.work = join(resolve(out), OWN_FOLDER, 'work');
     // What jobs of a killed run have left; those that still live find their folder gone, and end.
-    rmSync(work, { recursive: true, force: true });
+    rmSync(this.work, { recursive: true, force: true });
     this.jobs = Array.from({ length: jobs }, (_, i) => {
-      const folder = join(work, `${process.pid}-${i}`);
+      const folder = join(this.work, `${process.pid}-${i}`);
       return new Job({ program: process.argv[1], words: [ASSET_WORKER], memory, folder });
     });
     this.expectResults();
@@ -79,14 +81,16 @@ export class BatchRun {
       await Promise.all(this.jobs.map((job) => this.workThrough(job)));
     } finally {
       this.stop();
-      rmSync(join(this.options.out, OWN_FOLDER, 'work'), { recursive: true, force: true });
     }
     return this.rows;
   }
 
+  /** Ends the jobs, and removes what they have not finished. */
   stop(): void {
     this.progress.clear();
     for (const job of this.jobs) job.end();
+    // A process may write for the moment that its end takes.
+    rmSync(this.work, { recursive: true, force: true, maxRetries: 3 });
   }
 
   /** Results of assets of this batch are theirs, unless they are done again; those of assets that are gone are nobody's. */
