@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { canRedraw, redrawn } from '../../web/cli/terminal';
+import { canRedraw, progressLine, redrawn } from '../../web/cli/terminal';
 import { warningLines } from '../../web/cli/warnings';
 import type { BodyRun } from '../../web/engine/stages/body_run';
 import { FileRun } from '../../web/engine/stages/file_run';
@@ -88,6 +88,14 @@ describe('the line of progress', () => {
   it('has no escape sequence, and hides what was there', () => {
     expect(redrawn('ab', 5)).toBe('\rab   ');
     expect(redrawn('', 3)).toBe('\r   ');
+  });
+
+  it('stays one line on a narrow terminal, where the name gives way', () => {
+    const progress = { phase: 'fitting', fraction: 0.5 } as const;
+    expect(progressLine('chair', progress)).toBe('chair: fitting 50 %');
+    expect(progressLine('a'.repeat(200), progress)).toBe(`${'a'.repeat(62)}...: fitting 50 %`);
+    expect(progressLine('a'.repeat(200), progress, 30)).toHaveLength(29);
+    expect(progressLine('chair', progress, 10)).toHaveLength(9);
   });
 });
 

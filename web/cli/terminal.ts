@@ -16,8 +16,16 @@ export const canRedraw = (stream: { isTTY?: boolean }, term = process.env.TERM):
 /** What takes the place of a line of `before` characters: blanks hide what is left of it. */
 export const redrawn = (text: string, before: number): string => `\r${text.padEnd(before)}`;
 
-export function showProgress(activity: string, { phase, fraction }: Progress): void {
-  const text = `${plain(activity)}: ${phase} ${Math.round(100 * fraction)} %`;
+/** A line shorter than the terminal, which else would go on to the next one: the name in front gives way. */
+export function progressLine(activity: string, { phase, fraction }: Progress, columns = 80): string {
+  const rest = `: ${phase} ${Math.round(100 * fraction)} %`;
+  const [name, room] = [plain(activity), Math.max(0, columns - 1 - rest.length)];
+  const shownName = name.length <= room ? name : `${name.slice(0, Math.max(0, room - 3))}...`;
+  return `${shownName}${rest}`.slice(0, columns - 1);
+}
+
+export function showProgress(activity: string, progress: Progress): void {
+  const text = progressLine(activity, progress, process.stderr.columns || 80);
   process.stderr.write(redrawn(text, shown));
   shown = text.length;
 }
