@@ -104,6 +104,25 @@ test('on a phone the picture has room in every step, and the marks of the slider
   }
 });
 
+test('on a phone the look stands in the View menu, and the picture has its row', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 1280, height: 844 });
+  await openPage(page);
+  await goTo(page, 'Reduce');
+  await expect(page.getByLabel('Look')).toBeVisible();
+  await page.setViewportSize({ width: 390, height: 844 });
+  await expect(page.getByLabel('Look')).not.toBeVisible();
+  await expect(async () => {
+    const canvas = (await page.locator('.viewport canvas').boundingBox())!;
+    expect(canvas.height).toBeGreaterThan(155);
+    const legend = (await page.locator('.legend').boundingBox())!;
+    expect(legend.y).toBeGreaterThanOrEqual(canvas.y + canvas.height - 1);
+  }).toPass();
+  await page.locator('.view-menu summary').click();
+  await page.getByLabel('Look').selectOption({ label: 'Clay' });
+  await expect(page.getByLabel('Look')).toHaveValue('clay');
+});
+
 /** The words of read-outs that are cut or lie under the box of what is running, and by how much the box moves what is above it. */
 const hiddenByBusy = (page: Page): Promise<(string | number | null)[]> =>
   page.evaluate(() => {

@@ -1,5 +1,6 @@
 /** How the mesh is drawn, and what its colours mean. */
 
+import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { spellModes } from '../../../engine/core/mode_set';
 import { chooseField, isFileDrawn, results, shownField, view } from '../../state/store';
@@ -28,14 +29,20 @@ const LOOKS: { value: LookName; text: string }[] = [
   { value: 'checker', text: 'UV checker' },
 ];
 
+/** A window that has no room beside the colours for the look, which stands in the menu then. */
+const phone = matchMedia('(max-width: 600px)');
+const isPhone = signal(phone.matches);
+phone.addEventListener('change', () => (isPhone.value = phone.matches));
+
 export function Legend() {
   if (!results.body.value) return null;
   if (view.step.value === 'test') return <SimulateLegend />;
+  const isShort = isPhone.value && shownField.value === 'none';
   return (
-    <div class="legend">
+    <div class={isShort ? 'legend short' : 'legend'}>
       <Choice label="Colour by" options={FIELDS} value={shownField.value} onChange={chooseField} />
       <Scale />
-      {isFileDrawn.value && <LookSelect />}
+      {isFileDrawn.value && !isPhone.value && <LookSelect />}
       <ViewMenu key={view.step.value} />
     </div>
   );
@@ -77,6 +84,7 @@ function Toggles() {
   const isFile = isFileDrawn.value && results.originalFile.value !== null;
   return (
     <>
+      {isFileDrawn.value && isPhone.value && <LookSelect />}
       <Toggle label="Flat" checked={view.isFlat.value} onChange={(flat) => (view.isFlat.value = flat)} />
       <Toggle label="Wireframe" checked={isWireShown()} onChange={(wire) => (view.wire.value = wire)} />
       {view.step.value === 'reduce' && (
