@@ -178,3 +178,18 @@ test('with a solver, the page names the meshes that their nodes scale unevenly',
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   await expect(page.getByRole('complementary', { name: 'Export' }).locator(warning)).toBeVisible();
 });
+
+test('the diagonal is in units of the file, as the metres beside it, whatever its node scales', async ({
+  page,
+}) => {
+  const io = new WebIO();
+  const document = await io.readBinary(await standingTubes());
+  document.getRoot().listNodes()[0].setScale([50, 50, 50]);
+  await drop(page, writeScratch('large.glb', await io.writeBinary(document)));
+  await expect(page.locator('.left .filename').first()).toHaveText('large.glb');
+  const diagonal = page
+    .locator('.left div')
+    .filter({ has: page.getByText('Diagonal', { exact: true }) })
+    .last();
+  await expect(diagonal).toContainText('212.1 units = 212');
+});

@@ -74,7 +74,7 @@ function Contents() {
 
 function Facts() {
   const { inspection, diagonal, scale, minAngle, meanMinAngle } = results.body.value!;
-  const units = say('{size} units', { size: Number(diagonal.toPrecision(4)) });
+  const units = say('{size} units', { size: Number((diagonal * scale).toPrecision(4)) });
   const rows: [string, string][] = [
     ['Faces', count(inspection.faces)],
     ['Vertices', count(inspection.vertices)],
