@@ -123,6 +123,25 @@ test('on a phone the look stands in the View menu, and the picture has its row',
   await expect(page.getByLabel('Look')).toHaveValue('clay');
 });
 
+test('a page at 200 % scrolls rather than cover the picture', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 683, height: 384 });
+  await openPage(page);
+  for (const step of ['Motion', 'Reduce', 'Test'] as const) {
+    await goTo(page, step);
+    await expect(page.getByText('Finding modes')).toHaveCount(0);
+    await expect(async () => {
+      const canvas = (await page.locator('.viewport canvas').boundingBox())!;
+      expect(canvas.height).toBeGreaterThan(100);
+      const legend = (await page.locator('.legend').boundingBox())!;
+      expect(legend.y).toBeGreaterThanOrEqual(canvas.y + canvas.height - 1);
+    }).toPass({ timeout: 20_000 });
+  }
+  await page.locator('.readouts').scrollIntoViewIfNeeded();
+  await expect(page.locator('.readouts')).toBeInViewport({ ratio: 0.9 });
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(683);
+});
+
 /** The words of read-outs that are cut or lie under the box of what is running, and by how much the box moves what is above it. */
 const hiddenByBusy = (page: Page): Promise<(string | number | null)[]> =>
   page.evaluate(() => {

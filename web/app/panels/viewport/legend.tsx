@@ -30,7 +30,7 @@ const LOOKS: { value: LookName; text: string }[] = [
 ];
 
 /** A window that has no room beside the colours for the look, which stands in the menu then. */
-const phone = matchMedia('(max-width: 600px)');
+const phone = matchMedia('(max-width: 600px), (max-width: 900px) and (max-height: 560px)');
 const isPhone = signal(phone.matches);
 phone.addEventListener('change', () => (isPhone.value = phone.matches));
 
