@@ -417,6 +417,9 @@ describe('limber simulate', () => {
     expect(stdout).toMatch(
       /^scenario +hang, 0\.2 s, solid where closed, 20 substeps, grid\ngrid\.obj +256 constraints, 208 edges, \S+ ms a step, \S+ ns a constraint\n$/,
     );
+    expect(limber(...'simulate grid.obj --seconds 0.05 --unit 1000'.split(' ')).stderr).toMatch(
+      /^limber: grid: the body is .* km across: set --unit if the file is not in metres\.\n$/,
+    );
   });
 
   it('moves closed bodies as solids, and calibrated ones as shells', () => {

@@ -104,3 +104,20 @@ it('gives results in memory of their own where the model lies in shared memory',
   expect(resultBytes(shared).buffer).toBeInstanceOf(ArrayBuffer);
   expect(resultBytes(bytes)).toBe(bytes);
 });
+
+it('doubts the size of what is moved where it is implausible in metres', async () => {
+  const notesOf = async (command: 'simulate' | 'tune' | 'optimize', options: object) => {
+    const models = command === 'optimize' ? [RING] : [RING, RING];
+    const message = await answered({ command, models, options: { threads: 1, ...options } });
+    return (message as { value: { notes: string[] } }).value.notes;
+  };
+  const doubt = /^ring: the body is .* km across: set unit if the file is not in metres$/;
+  const short = { seconds: 0.05, substeps: 2 };
+  expect(await notesOf('simulate', short)).toEqual([]);
+  expect(await notesOf('simulate', { ...short, unit: 1000 })).toEqual([expect.stringMatching(doubt)]);
+  for (const command of ['tune', 'optimize'] as const)
+    expect(await notesOf(command, { solver: 'springs', unit: 1000 })).toContainEqual(
+      expect.stringMatching(doubt),
+    );
+  expect(await notesOf('optimize', { unit: 1000 })).toEqual([]);
+});

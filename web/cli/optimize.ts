@@ -12,7 +12,7 @@ import type { Report } from '../engine/report/report';
 import { FileOutput } from '../engine/stages/file_output';
 import { requestFile } from '../engine/stages/budget/file_targets';
 import type { FileRun } from '../engine/stages/file_run';
-import { resultWarnings } from '../engine/stages/file_warnings';
+import { resultWarnings, sizeWarnings } from '../engine/stages/file_warnings';
 import { faceTarget, missedTargets } from '../engine/stages/missed_targets';
 import type { MissedTargets } from '../engine/stages/missed_targets';
 import type { Arguments } from './arguments';
@@ -63,6 +63,7 @@ export async function optimizeModel(
   const load = lap();
   const written = checkModelOutputs(session, model, chosenBodies(model, args.settings));
   const file = prepareFile(session, model);
+  if (args.settings.solver !== 'none') session.warnings.push(...sizeWarnings(file, args.settings, flagOf));
   const weld = lap();
   const output = optimizeFile(session, file);
   lap();

@@ -13,7 +13,7 @@ import { runSettings } from '../../engine/stages/file_request';
 import type { FileRequest } from '../../engine/stages/file_request';
 import { requestFile } from '../../engine/stages/budget/file_targets';
 import type { FileRun } from '../../engine/stages/file_run';
-import { resultWarnings } from '../../engine/stages/file_warnings';
+import { resultWarnings, sizeWarnings } from '../../engine/stages/file_warnings';
 import { faceTarget, missedTargets, NAMED_TARGETS } from '../../engine/stages/missed_targets';
 import type { AskedTargets, StoppedLevel } from '../../engine/stages/missed_targets';
 import { STAGES } from '../../engine/stages/stages';
@@ -53,6 +53,7 @@ export async function optimizeModel(
   const name = resultName(options.wantsBodies ? '' : nameOfModel(source, model), settings.format);
   const { lost } = checkWritten(model, session.chosen(model), { name, settings });
   const file = session.prepare(model, { guides: true });
+  if (settings.solver !== 'none') session.warn(sizeWarnings(file, settings, nameOf));
   const weld = session.lap();
   const asked = askedOf(session, options);
   const target = faceTarget(asked);

@@ -11,13 +11,14 @@ import { settingsFile, writeSettings } from '../../engine/report/settings_file';
 import { solverReport } from '../../engine/report/solver_report';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { FileRun } from '../../engine/stages/file_run';
-import { comparedWarnings } from '../../engine/stages/file_warnings';
+import { comparedWarnings, sizeWarnings } from '../../engine/stages/file_warnings';
 import { measureDistance } from '../../engine/stages/measure';
 import { STAGES } from '../../engine/stages/stages';
 import { withBodyName, tunedEntry, tuneMesh, tuneSettings } from '../../engine/stages/tune';
 import type { CompareReport, Reported, TuneResult } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
+import { nameOf } from './session';
 import type { WorkSession } from './session';
 import { settingsAsUsed } from './settings';
 
@@ -68,6 +69,7 @@ export async function tuneModel(session: WorkSession, [first, second]: ModelFile
   const originals = file.prepared(settings);
   const others = session.preparePartners(original, coarse).prepared(settings);
   checkPairs(originals, others);
+  session.warn(sizeWarnings(file, settings, nameOf));
   const weld = session.lap();
   const tuned = tuneFile(session, file, others);
   const tune = session.lap();

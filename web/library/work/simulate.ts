@@ -20,12 +20,14 @@ import { startReport } from '../../engine/report/report';
 import type { SettingsFile } from '../../engine/report/settings_file';
 import { readSettingsFile } from '../../engine/report/settings_reader';
 import type { FileRun } from '../../engine/stages/file_run';
+import { sizeWarnings } from '../../engine/stages/file_warnings';
 import { STAGES } from '../../engine/stages/stages';
 import type { SimulateOptions, SimulateReport, SimulateResult } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
 import { checkPairs } from './pairs';
 import { resultBytes } from './result_bytes';
+import { nameOf } from './session';
 import type { WorkSession } from './session';
 import { settingsAsUsed } from './settings';
 
@@ -61,6 +63,7 @@ export async function simulateModels(
   const sides = { file, originals, others };
   const weld = session.lap();
   const carried = readCarried(session, sides, options);
+  if (carried.tuning === null) session.warn(sizeWarnings(file, settings, nameOf));
   const calibration = session.lap();
   const motions = moveBodies(session, sides, { ...carried, records: options.records ?? false });
   const simulate = session.lap();
