@@ -7,9 +7,9 @@
 
 namespace limber {
 
-// Disjoint sets of the numbers 0 to count - 1, each alone at first (union-find with path halving). The root
-// of a set is its smallest number, so the result does not depend on the order of the unions. Every operation
-// is amortised O(log count).
+// Disjoint sets of the numbers 0 to count - 1, each initially a set of its own (union-find with path
+// halving). The root of a set is its smallest number, so the result does not depend on the order of the
+// unions. Every operation is amortised O(log count).
 class DisjointSets {
  public:
   DisjointSets() = default;
@@ -23,7 +23,7 @@ class DisjointSets {
     const uint32_t a = rootOf(i), b = rootOf(j);
     parent_[std::max(a, b)] = std::min(a, b);
   }
-  // Per number its root.
+  // The root of each number.
   std::vector<uint32_t> roots() {
     std::vector<uint32_t> all(parent_.size());
     for (uint32_t i = 0; i < all.size(); ++i) all[i] = rootOf(i);

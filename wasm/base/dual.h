@@ -5,11 +5,12 @@
 
 namespace limber {
 
-// A number with its derivatives by N variables, for forward-mode differentiation. Exact to rounding.
+// A number with its derivatives with respect to N variables, for forward-mode differentiation. Exact to
+// rounding.
 template <int N>
 struct Dual {
   double value = 0;
-  std::array<double, N> derivative{};  // [i]: by variable i
+  std::array<double, N> derivative{};  // [i]: with respect to variable i
 
   Dual() = default;
   Dual(double constant) : value(constant) {}  // NOLINT: constants mix freely with duals

@@ -7,7 +7,7 @@
 
 namespace limber {
 
-// What a long call is doing. web/engine/core/core.ts has the names that users read, in the same order.
+// The phase of a long call. web/engine/core/core.ts lists the names that users read, in the same order.
 enum class Phase : int32_t {
   Idle = 0,
   Weld = 1,
@@ -24,19 +24,19 @@ enum class Phase : int32_t {
   Mirror = 12,
 };
 
-// Thrown by a running call after another thread has requested that it stops.
+// Thrown by a running call after another thread has requested cancellation.
 struct Cancelled : std::runtime_error {
   Cancelled() : std::runtime_error("The calculation was cancelled.") {}
 };
 
 // Progress and cancellation of one running call; other threads may use both while the call runs. The four
-// words lie in one block so that a page can read them from shared memory: [0] whether to cancel (0 or 1), [1]
+// words are contiguous so that a page can read them from shared memory: [0] whether to cancel (0 or 1), [1]
 // phase, [2] progress in 1/10,000 of the phase, [3] unused.
 class Job {
  public:
   Job() = default;
-  // A part of another running call, which must outlive it: it is cancelled with that call, and its phases and
-  // progress are not shown.
+  // A part of another running call, which must outlive it: it is cancelled with that call, and its own phases
+  // and progress are not shown.
   explicit Job(const Job& whole) : whole_(&whole) {}
 
   std::atomic<int32_t> words[4] = {};
@@ -53,11 +53,11 @@ class Job {
 
   // Starts a phase at progress 0. Throws Cancelled.
   void begin(Phase phase);
-  // Sets the progress of the phase, `fraction` in [0, 1]. To be called at least every 50 ms by the thread
-  // that runs the call; pool threads call `check`. Throws Cancelled.
+  // Sets the progress of the phase, `fraction` in [0, 1]. The thread that runs the call must call this at
+  // least every 50 ms; pool threads call `check` instead. Throws Cancelled.
   void report(double fraction);
   // Starts a phase and hides the phases and progress of all calls until `leave`; only `reportWhole` is shown.
-  // For a call that is made of many calls with phases of their own, see WholePhase. Throws Cancelled.
+  // For a call that consists of many calls with phases of their own; see WholePhase. Throws Cancelled.
   void enter(Phase phase);
   void leave() { --depth_; }
   void reportWhole(double fraction);
@@ -69,16 +69,16 @@ class Job {
  private:
   const Job* whole_ = nullptr;
   int32_t observedPercent_ = -1;
-  int32_t depth_ = 0;  // of nested calls of `enter`
+  int32_t depth_ = 0;  // nesting depth of `enter`
 };
 
-// Shows one phase during its lifetime, whatever is called meanwhile.
+// Shows one phase during its lifetime and hides the phases of nested calls.
 class WholePhase {
  public:
   WholePhase(Job& job, Phase phase) : job_(job) { job_.enter(phase); }
   ~WholePhase() { job_.leave(); }
   WholePhase(const WholePhase&) = delete;
-  // `fraction` of the whole, in [0, 1]. Throws Cancelled.
+  // `fraction`: progress of the whole call, in [0, 1]. Throws Cancelled.
   void report(double fraction) { job_.reportWhole(fraction); }
 
  private:

@@ -30,7 +30,7 @@ uint64_t ungrownMemory() {
 #endif
 }
 
-// Bytes that are free within the heap. Slow: walks over all of the heap.
+// Bytes that are free within the heap. Slow: walks the whole heap.
 uint64_t freedMemory() {
 #ifdef __EMSCRIPTEN__
   return static_cast<size_t>(mallinfo().fordblks);

@@ -4,14 +4,15 @@
 
 namespace limber {
 
-// Bytes that can still be allocated: in WebAssembly the rest of the largest heap; natively unbounded unless a
+// Bytes that can still be allocated: in WebAssembly up to the largest heap size; natively unbounded unless a
 // limit is set.
 uint64_t memoryLeft();
 
 // Caps what memoryLeft() returns; 0 removes the cap. For tests.
 void setMemoryLimit(uint64_t bytes);
 
-// Says that the memory of WebAssembly was made to grow to `bytes` at most, fewer than the program allows.
+// Reports that the WebAssembly memory was created with a maximum of `bytes`, below the maximum of the
+// program.
 void setHeapLimit(uint64_t bytes);
 
 // Throws std::runtime_error with one sentence if less than `bytes` are left: "<what> would take about 2 GB of

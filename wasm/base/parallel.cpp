@@ -20,14 +20,14 @@ using Body = std::function<void(size_t begin, size_t end)>;
 
 namespace {
 
-// One call of parallelFor. A counter hands out the ranges. Errors are kept by range, so that the first one in
-// order is thrown whatever the timing of the threads.
+// One call of parallelFor. A counter hands out the ranges. Errors are stored by range, so that the first one
+// in order is thrown regardless of thread timing.
 struct Loop {
   size_t count, grain;
   const Body& body;
   std::atomic<size_t> nextRange;
   // Both are guarded by the mutex of the pool.
-  int helpers = 0;     // threads at work in the loop
+  int helpers = 0;     // threads working on the loop
   uint64_t order = 0;  // number of loops begun before this one
   std::mutex errorMutex = {};
   size_t errorRange = SIZE_MAX;
@@ -50,8 +50,8 @@ struct Loop {
   }
 };
 
-// Threads that wait for loops and help in the oldest loop with ranges left: first in outer loops, then in
-// inner ones. A caller that waits for its helpers helps too, but only in loops begun after its own. The
+// Threads that wait for loops and help with the oldest loop that has ranges left: first outer loops, then
+// inner ones. A caller that waits for its helpers helps too, but only with loops begun after its own. The
 // threads live until their number changes or the program ends.
 class Pool {
  public:
@@ -147,7 +147,7 @@ int threadCount() {
 void parallelFor(size_t count, size_t grain, const Body& body) {
   if (count == 0) return;
   grain = std::max<size_t>(grain, 1);
-  // Works alone until a thread is idle.
+  // Works without helpers until a thread is idle.
   size_t begin = 0;
   for (; begin + grain < count && !(pool() && pool()->hasIdleThreads()); begin += grain)
     body(begin, begin + grain);

@@ -16,14 +16,14 @@ using RealPair = double __attribute__((vector_size(16)));
 inline double asFloat(double x) {
   float nearest = static_cast<float>(x);
 #if defined(__GNUC__) && !defined(__clang__)
-  // GCC 12 loses the rounding where it vectorises these statements by itself.
+  // GCC 12 drops the rounding when it vectorises these statements itself.
   asm("" : "+m"(nearest));
 #endif
   return nearest;
 }
 inline RealPair asFloat(RealPair x) {
 #ifdef __wasm_simd128__
-  // Without the intrinsics Clang converts lane by lane.
+  // Without the intrinsics Clang converts each lane separately.
   return RealPair(wasm_f64x2_promote_low_f32x4(wasm_f32x4_demote_f64x2_zero(v128_t(x))));
 #else
   using FloatPair = float __attribute__((vector_size(8)));
@@ -67,7 +67,7 @@ inline Vec3 asVec3(const Point<double>& p) {
 inline Point<RealPair> asPair(const Vec3& p, const Vec3& q) {
   return {RealPair{p.x, q.x}, RealPair{p.y, q.y}, RealPair{p.z, q.z}};
 }
-// Point i of the two.
+// Point i of the pair.
 inline Vec3 lane(const Point<RealPair>& p, int i) {
   return {p.x[i], p.y[i], p.z[i]};
 }

@@ -1,4 +1,4 @@
-// Measures of how alike two meshes are: surface distance and frequencies.
+// Measures of the similarity of two meshes: surface distance and frequencies.
 
 #include <cmath>
 

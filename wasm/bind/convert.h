@@ -1,8 +1,8 @@
 #pragma once
 
-// Conversions between C++ values and plain JavaScript values. A struct names the members that cross the
-// boundary once, in `Fields`; an enum names its values once, in `Names`. Both directions follow from that.
-// Typed arrays are copied.
+// Conversions between C++ values and plain JavaScript values. The members of a struct that cross the boundary
+// are listed once, in `Fields`; the values of an enum once, in `Names`. Both directions of the conversion use
+// these lists. Typed arrays are copied.
 
 #include <emscripten/val.h>
 
@@ -25,8 +25,8 @@ namespace limber {
 template <class Struct>
 struct Fields;
 
-// Specialise with a member `list`: an array of the names of an enum's values, in their order, and a member
-// `what`: the word for one of them in messages.
+// Specialise with a member `list`: an array of the names of an enum's values, in their order; and a member
+// `what`: the noun for such a value in messages.
 template <class Enum>
 struct Names;
 
@@ -37,13 +37,13 @@ struct Field {
   bool isOptional;
 };
 
-// A member that JavaScript must give.
+// A required member.
 template <class Struct, class Value>
 constexpr Field<Struct, Value> field(const char* name, Value Struct::* member) {
   return {name, member, false};
 }
 
-// A member that keeps its default where JavaScript leaves it out.
+// An optional member, which keeps its default if JavaScript omits it.
 template <class Struct, class Value>
 constexpr Field<Struct, Value> optionalField(const char* name, Value Struct::* member) {
   return {name, member, true};
@@ -54,7 +54,7 @@ concept HasFields = requires { Fields<T>::list; };
 template <class T>
 concept HasNames = requires { Names<T>::list; };
 
-// One conversion for each kind of type.
+// The conversion of a type, specialised for each kind of type.
 template <class T>
 struct Convert;
 
@@ -63,7 +63,7 @@ val toJs(const T& value) {
   return Convert<T>::toJs(value);
 }
 
-// Throws std::invalid_argument where `in` lacks a field or names what there is not.
+// Throws std::invalid_argument if `in` lacks a required field or has an unknown enum name.
 template <class T>
 T fromJs(const val& in) {
   return Convert<T>::fromJs(in);
@@ -136,7 +136,7 @@ struct Convert<Struct> {
   }
 };
 
-// null stands for no value.
+// An empty optional is null in JavaScript.
 template <class T>
 struct Convert<std::optional<T>> {
   static val toJs(const std::optional<T>& value) { return value ? limber::toJs(*value) : val::null(); }

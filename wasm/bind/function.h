@@ -1,7 +1,7 @@
 #pragma once
 
-// How a function is offered to JavaScript: under its name, with exceptions returned as Error objects, which
-// web/engine/core/load_core.ts throws. So no destructor on the C++ stack is skipped.
+// Exports functions to JavaScript under their names. Exceptions are returned as Error objects, which
+// web/engine/core/load_core.ts throws, so that no destructor on the C++ stack is skipped.
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
@@ -17,10 +17,10 @@ namespace limber {
 
 using emscripten::val;
 
-// The job of the running call; there is one call at a time.
+// The job of the running call; only one call runs at a time.
 inline Job theJob;
 
-// The names of all functions that `offer` has offered on this thread, for load_core.ts. Emscripten runs the
+// The names of all functions that `offer` has exported on this thread, for load_core.ts. Emscripten runs the
 // EMSCRIPTEN_BINDINGS blocks on every thread of the pool, some at the same time.
 inline std::vector<std::string>& offeredFunctions() {
   static thread_local std::vector<std::string> names;
@@ -33,7 +33,7 @@ inline val jsError(const char* name, const std::string& message) {
   return error;
 }
 
-// The exception that is being handled as an Error object.
+// Converts the exception that is being handled to an Error object.
 inline val errorOfCurrentException() {
   try {
     throw;
@@ -47,7 +47,7 @@ inline val errorOfCurrentException() {
   }
 }
 
-// `f` with every exception turned into an Error object that is returned.
+// Calls `f`; an exception is returned as an Error object.
 template <auto f>
 struct Guarded;
 template <typename... Arguments, val (*f)(Arguments...)>
@@ -61,7 +61,7 @@ struct Guarded<f> {
   }
 };
 
-// To be called in an EMSCRIPTEN_BINDINGS block.
+// Exports `f`. Must be called in an EMSCRIPTEN_BINDINGS block.
 template <auto f>
 void offer(const char* name) {
   emscripten::function(name, &Guarded<f>::call);

@@ -13,8 +13,8 @@ uintptr_t jobAddress() {
   return reinterpret_cast<uintptr_t>(&theJob.words[0]);
 }
 
-// To be called before each call: clears a request to cancel, and the progress. `observer` is null or called
-// with (phase, fraction) on this thread.
+// Must be called before each call: clears the cancellation request and the progress. `observer` is null, or
+// called with (phase, fraction) on this thread.
 void resetJob(const val& observer) {
   theJob.reset();
   theJob.observer = nullptr;

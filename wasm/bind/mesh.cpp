@@ -64,7 +64,7 @@ val jsWeld(const val& positions, const val& indices, const val& options) {
   theJob.begin(Phase::Weld);
   const WeldResult result = weld(source, sourceIndices, weldOptions, theJob);
   val out = toJs(result);
-  // The inspection is that of the mesh as it came, which has its duplicate faces.
+  // The inspection is that of the input mesh, including its duplicate faces.
   weldOptions.keepDuplicates = true;
   const Inspection inspection =
       inspect(result.duplicateFaces ? weld(source, sourceIndices, weldOptions, theJob).mesh : result.mesh);

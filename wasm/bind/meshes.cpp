@@ -7,7 +7,7 @@
 namespace limber {
 namespace {
 
-// What JavaScript has asked the core to keep, by handle.
+// The objects that JavaScript has asked the core to keep, by handle.
 template <class T>
 class Kept {
  public:

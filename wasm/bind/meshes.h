@@ -1,6 +1,6 @@
 #pragma once
 
-// Meshes and histories as JavaScript gives them: plain objects, or handles of what the core keeps.
+// Meshes and histories as JavaScript passes them: plain objects, or handles of objects that the core keeps.
 
 #include <emscripten/val.h>
 
@@ -19,11 +19,11 @@ namespace limber {
 // {positions, triangles}, see TriangleMesh in web/engine/core.
 val jsMesh(const TriangleMesh& mesh);
 
-// The mesh of a plain object, or the kept one of a handle. Throws std::invalid_argument where a triangle
-// names a vertex that is not there, or the handle has been released.
+// The mesh of a plain object, or the kept mesh of a handle. Throws std::invalid_argument if a triangle refers
+// to a vertex that does not exist, or if the handle has been released.
 std::shared_ptr<const TriangleMesh> meshOf(const val& in);
 
-// The same of a history.
+// The same for a history.
 std::shared_ptr<const History> historyOf(const val& in);
 
 // [3 * i + c] of triangles.

@@ -92,8 +92,8 @@ class FindModes {
   bool exact_;
 };
 
-// omega[component * modesPerComponent + ordinal], 0 where the component lacks that mode. A cavity has the
-// frequencies of its host. Throws std::invalid_argument where indices do not fit.
+// omega[component * modesPerComponent + ordinal], 0 if the component lacks that mode. A cavity has the
+// frequencies of its host. Throws std::invalid_argument if indices are out of range.
 std::vector<double> omegaTable(const std::vector<Mode>& modes, const std::vector<ComponentModes>& components,
                                uint32_t modesPerComponent) {
   std::vector<double> omega(size_t{modesPerComponent} * components.size(), 0.0);

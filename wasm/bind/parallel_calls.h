@@ -1,7 +1,7 @@
 #pragma once
 
-// Functions of the core of which JavaScript makes many calls at once, as for the bodies of a scene, so that
-// all threads work although each call is small.
+// Functions of the core that JavaScript can call many times at once, for example for the bodies of a scene,
+// so that all threads are busy although each call is small.
 
 #include <deque>
 #include <exception>
@@ -16,16 +16,16 @@
 
 namespace limber {
 
-// `error` as an Error object, as `Guarded` returns it.
+// Converts `error` to an Error object, as `Guarded` returns it.
 val jsErrorOf(const std::exception_ptr& error);
 
-// A value of JavaScript for each index of a list of arguments.
+// A JavaScript value for each index of a list of arguments.
 template <size_t>
 using Argument = val;
 
-// A `Call` is one call of a function: it copies `kArguments` values of JavaScript when it is made, is run on
-// any thread by `run(job)`, and `write` makes a value of JavaScript of the result. The last two steps are
-// apart because only the thread of the call may touch values of JavaScript.
+// A `Call` is one call of a function: its constructor copies `kArguments` JavaScript values, `run(job)` runs
+// it on any thread, and `write` converts the result to a JavaScript value. The last two steps are separate
+// because only the calling thread may touch JavaScript values.
 template <class Call, class Indices = std::make_index_sequence<Call::kArguments>>
 class ParallelCalls;
 
@@ -38,8 +38,8 @@ class ParallelCalls<Call, std::index_sequence<I...>> {
     return call.write(call.run(theJob));
   }
 
-  // `lists`: an array with the arguments of each call. Returns an array of results, with an Error object
-  // where a call has thrown. Throws Cancelled, and what making the calls throws.
+  // `lists`: an array with the arguments of each call. Returns an array of results, with an Error object for
+  // each call that has thrown. Throws Cancelled, and whatever the constructors of the calls throw.
   static val callAll(const val& lists) {
     std::deque<Call> calls = callsOf(lists);
     const size_t count = calls.size();
@@ -74,13 +74,13 @@ class ParallelCalls<Call, std::index_sequence<I...>> {
   }
 };
 
-// The functions of `callAll` by their names, on this thread, see offeredFunctions.
+// The functions that `callAll` can call, by name, on this thread; see offeredFunctions.
 inline std::map<std::string, val (*)(const val& lists)>& parallelFunctions() {
   static thread_local std::map<std::string, val (*)(const val& lists)> functions;
   return functions;
 }
 
-// As `offer`, of a function that `callAll` can call, too.
+// Like `offer`, for a function that `callAll` can also call.
 template <class Call>
 void offerParallel(const char* name) {
   offer<&ParallelCalls<Call>::call>(name);

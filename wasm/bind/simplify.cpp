@@ -82,7 +82,7 @@ struct Fields<SimplifyOptions> {
 
 namespace {
 
-// All that a simplification is asked for, in storage of its own.
+// A request for a simplification, which owns its storage.
 struct Request {
   std::shared_ptr<const TriangleMesh> mesh;
   std::vector<float> strain, curvature;

@@ -1,5 +1,5 @@
-// Comparisons of motions, and running simulations. JavaScript knows a running simulation by its number and
-// must end it.
+// Comparisons of motions, and running simulations. JavaScript refers to a running simulation by its number
+// and must end it.
 
 #include <map>
 
@@ -87,7 +87,7 @@ val jsScenarioCollisionScene(const val& original, const val& in) {
   return toJs(collisionSceneOf(scenarioOf(*meshOf(original), in)));
 }
 
-// The pinned vertices of the original: those of `pinned`, or what the scenario pins by itself where that is
+// The pinned vertices of the original: those of `pinned`, or the default pins of the scenario if that is
 // null.
 std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& scenario, const val& in) {
   if (in["pinned"].isNull()) return defaultPins(original, scenario);
@@ -98,8 +98,7 @@ std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& sce
   return pinned;
 }
 
-// The points of `result` that the vertices of the original are bound to; empty where `in` is null or left
-// out.
+// The points of `result` to which the vertices of the original are bound; empty if `in` is null or undefined.
 std::vector<SurfacePoint> bindingOf(const TriangleMesh& original, const TriangleMesh& result, const val& in) {
   std::vector<SurfacePoint> points;
   if (in.isNull() || in.isUndefined()) return points;
@@ -159,7 +158,7 @@ Running& runningOf(uint32_t number) {
   return found->second;
 }
 
-// `mesh` is the original itself or a body that its pins are carried over to.
+// `mesh` is the original itself or a body to which its pins are carried over.
 val jsStartSimulation(const val& meshIn, const val& originalIn, const val& in) {
   const auto mesh = meshOf(meshIn), original = meshOf(originalIn);
   const Scenario scenario = scenarioOf(*original, in);

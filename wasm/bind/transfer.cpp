@@ -1,4 +1,4 @@
-// What is carried from the original to the result: attributes, vertices and single points.
+// Transfer from the original to the result: attributes, vertices and single points.
 
 #include <algorithm>
 #include <iterator>
@@ -37,7 +37,7 @@ val jsBindToResult(const val& mesh, const val& result) {
   return toJs(bindToResult(*meshOf(mesh), fromJs<MeshAt>(result), theJob));
 }
 
-// A pin inside a triangle becomes the corner with the largest share of it.
+// A pin inside a triangle becomes the corner with the largest barycentric coordinate.
 val jsCarryPins(const val& original, const val& pinned, const val& result) {
   const auto mesh = meshOf(result);
   Pins pins = carryPins(*meshOf(original), vectorOf<uint32_t>(pinned), *mesh);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Typed arrays of JavaScript, copied in and out.
+// Copies JavaScript typed arrays in and out.
 
 #include <emscripten/val.h>
 

@@ -19,8 +19,8 @@ struct MeshParts {
   std::vector<uint32_t> localVertex;  // per vertex of the whole mesh: its id within its part
 };
 
-// Cuts a mesh along a division of its vertices: vertex v belongs to part partOfVertex[v] < partCount, and the
-// three corners of a triangle belong to one part. O(n).
+// Cuts a mesh into parts by a partition of its vertices: vertex v belongs to part partOfVertex[v] <
+// partCount, and the three corners of a triangle belong to the same part. O(n).
 MeshParts splitMesh(const TriangleMesh& mesh, std::span<const uint32_t> partOfVertex, uint32_t partCount);
 
 // Coordinates in which the bounding box of a mesh begins at 0 and its diagonal is 1, so that tolerances and

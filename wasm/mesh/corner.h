@@ -7,7 +7,7 @@
 
 namespace limber {
 
-// The two indices that follow c in a triangle's corners 0, 1, 2; c is one of these.
+// The two indices that follow c cyclically among the corners 0, 1, 2 of a triangle.
 inline int nextIndex(int c) {
   return c == 2 ? 0 : c + 1;
 }
@@ -16,7 +16,7 @@ inline int previousIndex(int c) {
 }
 
 // One corner of a triangle: the triangle t < 2^30 and the index c, 0, 1 or 2, of the corner in it. Corners
-// order by triangle, then by index.
+// are ordered by triangle, then by index.
 //
 // Flat arrays with one value per corner, also those that cross to JavaScript, are indexed by `flatIndex`,
 // 3 t + c. The object itself stores 4 t + c, so that t and c take one shift and one mask, not a division.

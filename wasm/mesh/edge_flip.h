@@ -21,8 +21,9 @@ struct EdgeQuad {
 std::optional<EdgeQuad> quadAt(const TriangleMesh& mesh, const Topology& topology,
                                const Topology::Edge& edge);
 
-// Flips the edge: the triangles become (left, start, right) and (left, right, end). `corners` is permuted
-// alike: corners[3 * t + c] is the flat index of the corner that corner c of triangle t was at first.
+// Flips the edge: the triangles become (left, start, right) and (left, right, end). `corners` is permuted in
+// the same way: corners[3 * t + c] is the flat index of the corner that corner c of triangle t was before all
+// flips.
 void flipEdge(const EdgeQuad& quad, TriangleMesh& mesh, std::vector<uint32_t>& corners);
 
 }  // namespace limber

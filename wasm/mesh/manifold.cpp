@@ -20,7 +20,7 @@ std::array<uint32_t, 2> edgesAt(const Topology& topology, Corner corner) {
           topology.edgeOpposite(Corner(t, previousIndex(corner.index())))};
 }
 
-// Where a walk around a vertex starts, and where it ends and after how many triangles.
+// The start and end of a walk around a vertex, and the number of triangles in between.
 struct FanStart {
   uint32_t triangle, edge;
 };
@@ -44,7 +44,7 @@ FanEnd walkAround(const TriangleMesh& mesh, const Topology& topology, uint32_t v
   }
 }
 
-// Classifies the ends of edges with one triangle or with more than two; all others stay Interior.
+// Classifies the ends of edges with one triangle or with more than two; all other vertices stay Interior.
 std::vector<VertexKind> classifyByEdges(const TriangleMesh& mesh, const Topology& topology) {
   std::vector<VertexKind> kinds(mesh.vertexCount(), VertexKind::Interior);
   for (const Topology::Edge& edge : topology.edges) {
@@ -57,8 +57,8 @@ std::vector<VertexKind> classifyByEdges(const TriangleMesh& mesh, const Topology
 }
 
 // The next two functions return whether the triangles of a vertex, which is not at the end of a non-manifold
-// edge, are a single fan. In a walk each look-up depends on the one before, which takes longer than to fetch
-// the few edges of a usual vertex at once and to chain them.
+// edge, are a single fan. In a walk each look-up depends on the previous one, which takes longer than
+// fetching the few edges of a typical vertex at once and chaining them.
 bool isOneFanByWalking(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bool onBorder) {
   const auto around = topology.cornersAt(v);
   const auto walk = [&](uint32_t t, uint32_t entry) {

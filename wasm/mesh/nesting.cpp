@@ -13,7 +13,7 @@ constexpr double kNoVolume = 1e-12;  // of the cube of the diagonal
 struct Shell {
   bool isClosed = true;
   double volume = 0;        // positive if wound outwards
-  uint32_t vertex = kNone;  // the lowest
+  uint32_t vertex = kNone;  // the lowest of the component
   Bounds box;
 };
 
@@ -51,14 +51,14 @@ std::vector<Shell> measureShells(const TriangleMesh& mesh, const Topology& topol
 }
 
 // Twice the signed area of the triangle (from, to, p) projected along z. Computed with the lower vertex
-// first, so that both triangles of an edge agree bit by bit on which side of it p lies.
+// first, so that the side of p is consistent to the last bit for both triangles of an edge.
 double areaBeside(const TriangleMesh& mesh, uint32_t from, uint32_t to, const Vec3& p) {
   if (from > to) return -areaBeside(mesh, to, from, p);
   const Vec3 a = mesh.positions[from] - p, b = mesh.positions[to] - p;
   return a.x * b.y - a.y * b.x;
 }
 
-// 1 where the ray from p along z leaves through the triangle, -1 where it enters, 0 where it misses.
+// 1 if the ray from p along z exits through the triangle, -1 if it enters, 0 if it misses.
 int crossingAbove(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
   double area[3], total = 0, height = 0;
   int leftCount = 0;

@@ -8,12 +8,12 @@
 
 namespace limber {
 
-// The vertices of a mesh that are fixed in place, in its modes and in its simulation: ascending ids, each
-// once. Converts to std::span<const uint32_t>.
+// The vertices of a mesh that are fixed in place, in its modes and in its simulation: unique ascending ids.
+// Converts to std::span<const uint32_t>.
 class PinnedVertices {
  public:
   PinnedVertices() = default;
-  // Sorts `ids` and drops repetitions. O(n log n).
+  // Sorts `ids` and drops duplicates. O(n log n).
   explicit PinnedVertices(std::vector<uint32_t> ids) : ids_(std::move(ids)) {
     std::ranges::sort(ids_);
     const auto repeated = std::ranges::unique(ids_);

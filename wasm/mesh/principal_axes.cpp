@@ -9,7 +9,7 @@ namespace limber {
 
 namespace {
 
-// Variances that differ by less than this share are one; then lengths differ by half of it.
+// Variances that differ by less than this fraction count as equal; lengths then differ by half of it.
 constexpr double kAlike = 0.01;
 
 }  // namespace

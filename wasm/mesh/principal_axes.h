@@ -14,14 +14,14 @@ struct PrincipalAxes {
   std::array<Vec3, 3> axis;
   std::array<double, 3> variance;  // along each, times the sum of the weights
 };
-// Those of a surface, weighted by area.
+// The principal axes of a surface, weighted by area.
 PrincipalAxes principalAxes(const TriangleMesh& mesh);
-// Those of points; weights[i] >= 0 belongs to points[i].
+// The principal axes of points; weights[i] >= 0 belongs to points[i].
 PrincipalAxes principalAxes(std::span<const Vec3> points, std::span<const double> weights);
 
-// The direction of most variance of a surface. Where others have nearly as much, as in a square, and so any
-// direction between them, it is the one of these that is nearest to the longest side of the box (the first of
-// equal ones).
+// The direction of largest variance of a surface. If other principal axes have nearly the same variance, as
+// in a square, and with them all directions that they span, it is the one of these directions that is nearest
+// to the longest side of the box (the first of equal ones).
 Vec3 longestAxis(const TriangleMesh& mesh);
 
 }  // namespace limber

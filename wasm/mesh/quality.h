@@ -15,7 +15,7 @@ inline double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
   return squares > 0 ? 2 * std::numbers::sqrt3 * length(cross(q - p, r - p)) / squares : 0;
 }
 
-// The squares of the qualities of two triangles, side by side and without a root.
+// The squares of the qualities of two triangles, computed together and without a root.
 inline RealPair squaredTriangleQuality(const Point<RealPair>& p, const Point<RealPair>& q,
                                        const Point<RealPair>& r) {
   const Point<RealPair> u = q - p, v = r - p, w = r - q, n = cross(u, v);

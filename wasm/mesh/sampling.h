@@ -8,7 +8,7 @@ namespace limber {
 
 // Cuts a triangle into cuts^2 equal parts by cuts parallel to its edges, `cuts` >= 1, and calls visit(u, v)
 // for the centre of each: the point at p + (q - p) u / cuts + (r - p) v / cuts of triangle pqr. The parts
-// come in rows of growing u; a part that points the other way follows the one before it.
+// come in rows of increasing u; within a row, upright and inverted parts alternate.
 template <class Visit>
 void forEachPart(int cuts, const Visit& visit) {
   for (int i = 0; i < cuts; ++i)

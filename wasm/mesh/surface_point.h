@@ -7,14 +7,14 @@
 
 namespace limber {
 
-// A point of a surface by the barycentric coordinates of its triangle: barycentric[c] belongs to corner c,
-// and the sum is 1. kNone as the triangle where there is no point.
+// A point of a surface, by barycentric coordinates in its triangle: barycentric[c] belongs to corner c, and
+// the sum is 1. The triangle is kNone if there is no point.
 struct SurfacePoint {
   uint32_t triangle = kNone;
   double barycentric[3] = {0, 0, 0};
 };
 
-// Where a point of a surface is when the vertices are at `positions`.
+// The position of a surface point if the vertices are at `positions`.
 inline Vec3 positionOf(const SurfacePoint& point, std::span<const Triangle> triangles,
                        std::span<const Vec3> positions) {
   Vec3 sum;

@@ -14,7 +14,8 @@ struct EdgePoints {
   int count;  // odd
 };
 
-// Two triangles go along an edge in opposite directions: each has every second point, and the middle.
+// The two triangles of an edge traverse it in opposite directions: each contributes every second point, and
+// the midpoint.
 void add(const EdgePoints& edge, bool isUpwards, std::vector<Vec3>& out) {
   const int middle = (edge.count + 1) / 2;
   for (int k = 1; k <= edge.count; ++k)
@@ -30,8 +31,7 @@ SurfaceSamples sampleSurface(const TriangleMesh& mesh, uint32_t count) {
   if (!(total > 0)) return samples;
   samples.positions.reserve(count);
   samples.triangles.reserve(count);
-  // Powers of the plastic number give the additive two-dimensional sequence of least discrepancy (Roberts
-  // 2018).
+  // Powers of the plastic number give an additive two-dimensional sequence of low discrepancy (Roberts 2018).
   constexpr double plastic = 1.32471795724474602596;
   uint32_t t = 0;
   double below = 0, area = triangleArea(mesh, 0);

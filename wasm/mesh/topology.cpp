@@ -10,7 +10,7 @@ namespace limber {
 namespace {
 
 constexpr size_t kVerticesPerRange = 8192;
-constexpr size_t kTrianglesPerRange = 65536;  // at least: every range takes memory for every vertex
+constexpr size_t kTrianglesPerRange = 65536;  // at least, because every range takes memory for every vertex
 constexpr size_t kMostRanges = 4;
 
 // Counting sort of the corners by their vertices, range by range of the triangles.
@@ -59,8 +59,8 @@ EdgeUse* collectUses(const TriangleMesh& mesh, const Topology& topology, uint32_
     const uint32_t t = corner.triangle();
     const int next = nextIndex(corner.index()), previous = previousIndex(corner.index());
     const uint32_t after = mesh.triangles[t][next], before = mesh.triangles[t][previous];
-    // Without branches, for they could not be predicted. A triangle without area may have an edge from v to
-    // v.
+    // Branch-free, because branches would be unpredictable. A triangle without area may have an edge from v
+    // to v.
     *uses = edgeUse(after, Corner(t, previous), false);
     uses += after >= v;
     *uses = edgeUse(before, Corner(t, next), true);
@@ -80,7 +80,7 @@ void sortUses(EdgeUse* begin, EdgeUse* end) {
   }
 }
 
-// The edges whose smaller vertices are in one range, with their uses one after the other.
+// The edges whose smaller vertices are in one range, with their uses stored consecutively.
 struct EdgeRange {
   std::vector<Topology::Edge> edges;  // `firstUse` counts within the range
   std::vector<uint8_t> clashes;
@@ -114,7 +114,7 @@ EdgeRange edgesOf(const TriangleMesh& mesh, const Topology& topology, uint32_t b
   return range;
 }
 
-// Copies a range to where it belongs: its first edge is number `edge`, its first use number `use`.
+// Copies a range to its position in the whole: its first edge is number `edge`, its first use number `use`.
 void copyEdges(const EdgeRange& range, uint32_t edge, uint32_t use, Topology& topology) {
   std::ranges::copy(range.clashes, topology.clashes.begin() + edge);
   for (const Topology::Edge& own : range.edges) {

@@ -20,8 +20,7 @@ struct Topology {
   std::vector<Edge> edges;
   std::vector<uint32_t> edgeTriangles;
   std::vector<uint32_t> edgeOfCorner;  // [3 * t + c]: the edge opposite to corner c of triangle t
-  std::vector<uint8_t>
-      clashes;  // per edge 1 where it has two triangles that traverse it in the same direction
+  std::vector<uint8_t> clashes;  // per edge: 1 if it has two triangles that traverse it in the same direction
   std::vector<uint32_t> vertexStart;  // size vertexCount + 1
   std::vector<Corner> vertexCorners;  // corners at v: vertexCorners[vertexStart[v] .. vertexStart[v + 1])
   // Per vertex its component: vertices joined by edges. Components are numbered by their lowest vertex.

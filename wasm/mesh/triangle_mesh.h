@@ -9,7 +9,7 @@
 
 namespace limber {
 
-inline constexpr uint32_t kNone = 0xffffffffu;  // stands for no index
+inline constexpr uint32_t kNone = 0xffffffffu;  // no index
 
 using Triangle = std::array<uint32_t, 3>;
 
@@ -37,7 +37,7 @@ inline Vec3 triangleCentre(const TriangleMesh& mesh, uint32_t t) {
   return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
 }
 
-// Per vertex the unit normal, the mean over its triangles weighted by area; 0 where they cancel out.
+// Per vertex the unit normal: the area-weighted mean over its triangles, normalised; 0 if they cancel out.
 std::vector<Vec3> vertexNormals(const TriangleMesh& mesh);
 
 // An axis-aligned box.

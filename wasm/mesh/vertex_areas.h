@@ -9,8 +9,8 @@ namespace limber {
 // Per vertex a third of the area of the triangles around it, in squared units of the mesh.
 std::vector<double> vertexAreas(const TriangleMesh& mesh);
 
-// The same as lumped masses of unit density: a vertex whose triangles have next to no area gets 1e-9 of the
-// mean, for without mass it would vibrate on its own at an arbitrarily high frequency.
+// The same as lumped masses of unit density: a vertex whose triangles have almost no area gets 1e-9 of the
+// mean, because without mass it would vibrate on its own at an arbitrarily high frequency.
 std::vector<double> lumpedAreas(const TriangleMesh& mesh);
 
 }  // namespace limber

@@ -10,14 +10,14 @@ namespace {
 
 constexpr uint32_t kLeafSize = 2;
 constexpr size_t kItemsPerRange = 16384;
-constexpr uint32_t kParallelItems = 8192;  // items from which on both branches are built at the same time
+constexpr uint32_t kParallelItems = 8192;  // items above which both branches are built in parallel
 
 std::array<float, 3> inFloats(const Vec3& p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-// How many nodes a tree over so many items has: one less than leaves. Halving n, 2^d <= n / 2 < 2^(d + 1),
-// for d levels gives 2^d ranges of 2, 3 or 4 items, and those of more than 2 have two leaves.
+// The number of nodes of a tree over `count` items: one less than its leaves. Halving n, 2^d <= n / 2 < 2^(d
+// + 1), for d levels gives 2^d ranges of 2, 3 or 4 items, and those of more than 2 have two leaves.
 uint32_t nodesOver(uint32_t count) {
   if (count <= kLeafSize) return 0;
   const uint32_t ranges = std::bit_floor(count) / 2;
@@ -67,7 +67,7 @@ void halve(Iterator begin, Iterator middle, Iterator end) {
 
 }  // namespace
 
-// Recursion is at most log2(n) deep, for every call halves the items.
+// The recursion is at most log2(n) deep, because every call halves the items.
 BoundingTree::Branch BoundingTree::build(Build& from, const Part& part, Bounds& box) {
   const auto [first, count, node] = part;
   const auto begin = from.items.begin() + first;

@@ -10,7 +10,7 @@
 namespace limber {
 
 // A balanced hierarchy of bounding boxes over items 0 to n - 1 that have a centre and a box: split at the
-// median centre along the longest axis. Every node knows the boxes of its two branches, so searches by the
+// median centre along the longest axis. Every node stores the boxes of its two branches, so searches by the
 // distance to the items themselves, not to their centres, are exact. Built once in O(n log n) by all threads,
 // searched from any thread.
 class BoundingTree {
@@ -18,8 +18,8 @@ class BoundingTree {
   BoundingTree() = default;
   // `boxes[i]` bounds item i and `centres[i]` is its centre.
   BoundingTree(const std::vector<Bounds>& boxes, const std::vector<Vec3>& centres);
-  // Where items are cut into pieces: box and centre i are those of a piece of item `itemOfPiece[i]`. Searches
-  // visit an item once for each piece that is near.
+  // For items cut into pieces: box and centre i are those of a piece of item `itemOfPiece[i]`. Searches visit
+  // an item once for each piece that is near.
   BoundingTree(const std::vector<Bounds>& boxes, const std::vector<Vec3>& centres,
                const std::vector<uint32_t>& itemOfPiece);
 
@@ -28,13 +28,12 @@ class BoundingTree {
 
   // Visits the items whose boxes are not farther from p than a shrinking squared distance, nearer boxes
   // first. `visit(item)` returns the squared distance beyond which no further item matters; a negative one
-  // ends the search. `squaredDistance` is that distance at the start.
+  // ends the search. `squaredDistance` is the initial squared distance.
   template <class Visit>
   void forEachWithin(const Vec3& p, double squaredDistance, const Visit& visit) const;
 
  private:
-  // The items order_[first] to order_[first + count - 1]; where count is 0, the two branches of
-  // nodes_[first].
+  // The items order_[first] to order_[first + count - 1]; if count is 0, the two branches of nodes_[first].
   struct Branch {
     uint32_t first = 0, count = 0;
   };
@@ -42,18 +41,18 @@ class BoundingTree {
     Point<RealPair> low, high;  // corners of the boxes of both branches
     Branch branches[2];
   };
-  // An item with its centre beside it: the build reads both in their order. Rounded to float, for a tree that
-  // is balanced otherwise finds the same.
+  // An item with its centre, stored together because the build reads both in order. Rounded to float: a
+  // slightly different tree finds the same results.
   struct Item {
     std::array<float, 3> centre;
     uint32_t index;
   };
-  // What is built from while it is built.
+  // Temporary data of the build.
   struct Build {
     std::vector<Item> items;
     const std::vector<Bounds>& boxes;
   };
-  // The items first .. first + count - 1, whose nodes are nodes_[node] and those after it.
+  // The items first .. first + count - 1, whose nodes are nodes_[node] and the following ones.
   struct Part {
     uint32_t first, count, node;
   };

@@ -17,18 +17,18 @@ constexpr size_t kTrianglesPerRange = 4096;
 constexpr double kFittingBox = 8;             // half the surface of a box over the area of the triangle in it
 constexpr double kMostPieces = 16;            // of a needle, in boxes that fit
 constexpr uint64_t kCutsInAnyMesh = 1 << 18;  // larger meshes have a cut for each triangle
-// A triangle that is lower than this, as a share of its length, has a normal of rounding only, and its edges
-// are as near as its inside.
+// The normal of a triangle that is flatter than this (height over length) is dominated by rounding, and its
+// edges are as near as its inside.
 constexpr double kLeastHeight = 1e-8;
 // Products of smaller squares lose digits, as doubles end at 1e-308.
 constexpr double kLeastSquare = 1e-280;
-// The three coordinates of a foot point are computed each on its own, so their sum is off from 1 by about the
-// rounding error of one of them, eps d / h at the distance d from a triangle of the height h. Following a
-// coordinate of that error along the triangle costs eps d L / h, taking an edge instead costs h at most: the
-// two are equal where the error is about the root of eps.
+// The three coordinates of a foot point are computed separately, so their sum is off from 1 by about the
+// rounding error of one of them, eps d / h at the distance d from a triangle of height h. A coordinate with
+// that error moves the point by eps d L / h along the triangle, and taking an edge instead by at most h: the
+// two are equal if the error is about the root of eps.
 constexpr double kMostRounding = 1e-8;
 
-// Whether a triangle with the edges `first` and `second`, of which the cross product is given, has an inside.
+// Whether a triangle with the edges `first` and `second` and the given cross product has an inside.
 bool hasInside(const Vec3& first, const Vec3& second, double squaredNormal) {
   const double square = std::max(squaredLength(first), squaredLength(second));
   return squaredNormal > std::max(kLeastHeight * kLeastHeight * square * square, kLeastSquare);
@@ -40,15 +40,15 @@ double closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return squares > 0 ? std::clamp(dot(p - a, b - a) / squares, 0.0, 1.0) : 0.0;
 }
 
-// Writes the barycentric coordinates of the point of a triangle closest to p: the foot of p on the plane
-// where it lies inside the triangle and is more than rounding, else the closest point of the edges. Those are
-// the edges that the foot is beyond: the way from a convex set's closest point to p leads outwards. Needles
-// and points are allowed.
+// Writes the barycentric coordinates of the point of a triangle closest to p: the foot of p on the plane if
+// it lies inside the triangle and is accurate enough, else the closest point on the edges. Only edges beyond
+// which the foot lies need to be tested, because the direction from the closest point of a convex set to p
+// points outwards. Needles and points are allowed.
 void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycentric)[3]) {
   const Vec3 first = corner[1] - corner[0], second = corner[2] - corner[0];
   const Vec3 normal = cross(first, second);
   const double squaredNormal = squaredLength(normal);
-  bool isSure = false;  // which edges those are
+  bool isSure = false;  // whether the edges to be tested are known
   if (hasInside(first, second, squaredNormal)) {
     double sum = 0, least = HUGE_VAL;
     for (int c = 0; c < 3; ++c) {
@@ -108,8 +108,8 @@ struct Needle {
   }
 };
 
-// How many pieces leave boxes not much larger than the triangle: one for all but a needle across the axes,
-// whose box is mostly empty.
+// The number of pieces whose boxes are not much larger than the triangle: one for all but a needle oblique to
+// the axes, whose box is mostly empty.
 uint32_t piecesOf(const TriangleMesh& mesh, uint32_t t) {
   const Vec3 size = bounds(mesh, t).high - bounds(mesh, t).low;
   const double box = size.x * size.y + size.y * size.z + size.z * size.x;
@@ -117,8 +117,8 @@ uint32_t piecesOf(const TriangleMesh& mesh, uint32_t t) {
   return pieces > 1 ? static_cast<uint32_t>(std::min(pieces, kMostPieces)) : 1;
 }
 
-// Per triangle its first piece, and at last how many there are. Where there would be too many, each needle is
-// cut into fewer.
+// Per triangle its first piece, and at the end the number of all pieces. If there would be too many, each
+// needle is cut into fewer.
 std::vector<uint32_t> firstPieces(const TriangleMesh& mesh) {
   std::vector<uint32_t> first(mesh.triangleCount() + size_t{1}, 0);
   uint64_t cuts = 0;

@@ -9,18 +9,18 @@
 namespace limber {
 namespace {
 
-// Of the diagonal: a few times what float32 coordinates resolve.
+// Of the diagonal: a few times the resolution of float32 coordinates.
 constexpr double kDistanceStep = 1e-6;
 
-// How items compare: ranks `of(item)` by <, and the squared distance `squaredLimit(rank)` beyond which no
-// item can have a lower rank.
+// The order of items: ranks `of(item)`, compared by <, and the squared distance `squaredLimit(rank)` beyond
+// which no item can have a lower rank.
 template <class Of, class SquaredLimit>
 struct Ranking {
   Of of;
   SquaredLimit squaredLimit;
 };
 
-// The item of least rank. `guess` is any item; a near one saves time.
+// The item of lowest rank. `guess` is any item; a close one saves time.
 template <class Of, class SquaredLimit>
 uint32_t leastOf(const BoundingTree& tree, const Vec3& p, uint32_t guess,
                  const Ranking<Of, SquaredLimit>& ranking) {
@@ -47,7 +47,7 @@ double NearestTriangle::squaredDistance(const Vec3& p, uint32_t t) const {
 }
 
 uint32_t NearestTriangle::find(const Vec3& p, uint32_t guess) const {
-  // Triangles rank by their distance in steps, then by the distance of their centres, then by index.
+  // Triangles are ranked by their distance in steps, then by the distance of their centres, then by index.
   const auto rankOf = [&](uint32_t t) {
     const double steps = std::floor(std::sqrt(squaredDistance(p, t)) / step_);
     return std::tuple(steps, squaredLength(p - triangleCentre(*mesh_, t)), t);

@@ -5,7 +5,7 @@
 namespace limber {
 namespace {
 
-// Of the diagonal: two distances that differ by less may be those of one point that lies on two triangles.
+// Of the diagonal: two distances that differ by less may belong to one point on two triangles.
 constexpr double kTolerance = 1e-9;
 
 }  // namespace
@@ -33,7 +33,8 @@ ClosestPoint SurfaceWalk::closest(const Vec3& point, std::span<const uint32_t> s
   best_ = {};
   best_.distance = HUGE_VAL;
   for (const uint32_t triangle : start) visit(triangle, point);
-  // The walk goes on across a triangle with the closest point so far; one that is beaten stays beaten.
+  // The walk continues across a triangle with the closest point so far; any other triangle can be dropped for
+  // good.
   for (size_t i = 0; i < visited_.size(); ++i) {
     if (visited_[i].distance > best_.distance + tolerance_) continue;
     const uint32_t triangle = visited_[i].triangle;

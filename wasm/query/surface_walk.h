@@ -12,8 +12,8 @@
 namespace limber {
 
 // Finds the point of a surface closest to a given point without leaving the sheet that the search starts on:
-// from the given triangles it walks across edges as long as that leads nearer. So sheets that are close in
-// space but far apart on the surface are never confused. Each thread needs a walk of its own; mesh and
+// from the given triangles it walks across edges as long as that leads closer. Sheets that are close in space
+// but far apart on the surface are therefore never confused. Each thread needs a walk of its own; mesh and
 // topology must outlive it.
 class SurfaceWalk {
  public:
@@ -22,8 +22,8 @@ class SurfaceWalk {
   // Whether the walk may cross `edge` to triangle `to`.
   using MayCross = std::function<bool(uint32_t edge, uint32_t to)>;
 
-  // A local minimum of the distance to `point`, searched from all triangles of `start`, of which there must
-  // be one. Ties go to the lower triangle. O(triangles visited).
+  // A local minimum of the distance to `point`, searched from all triangles of `start`, which must not be
+  // empty. Ties go to the lower triangle. O(triangles visited).
   ClosestPoint closest(const Vec3& point, std::span<const uint32_t> start, const MayCross& mayCross);
 
  private:

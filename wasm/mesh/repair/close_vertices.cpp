@@ -9,7 +9,7 @@
 namespace limber {
 namespace {
 
-using Cell = std::array<double, 3>;  // whole numbers, which as doubles cannot overflow
+using Cell = std::array<double, 3>;  // integers stored as doubles, which cannot overflow
 
 // A point and its cell of a grid. Entries are sorted by cell, then by point.
 struct Entry {
@@ -42,7 +42,7 @@ std::vector<uint32_t> uniteCloseVertices(const std::vector<Vec3>& points, double
   };
   for (const Entry& entry : entries) {
     if (entry.point % 256 == 0) job.check();
-    // Cells that differ in z alone are adjacent in the sorted entries.
+    // Cells that differ only in z are adjacent in the sorted entries.
     for (double dx = -1; dx <= 1; ++dx)
       for (double dy = -1; dy <= 1; ++dy) {
         const Cell low{entry.cell[0] + dx, entry.cell[1] + dy, entry.cell[2] - 1};

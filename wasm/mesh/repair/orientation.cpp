@@ -13,8 +13,8 @@ struct Patch {
 
 constexpr uint8_t kUnseen = 2;
 
-// Finds the patch of triangle `first` across edges with two triangles; side[t] becomes 0 where t agrees with
-// `first`, else 1.
+// Finds the patch of triangle `first` across edges with two triangles; side[t] becomes 0 if the orientation
+// of t agrees with `first`, else 1.
 Patch spread(const Topology& topology, uint32_t first, std::vector<uint8_t>& side) {
   Patch patch;
   patch.triangles.push_back(first);

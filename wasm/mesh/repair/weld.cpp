@@ -15,14 +15,14 @@
 namespace limber {
 namespace {
 
-// The triangle soup as it was given.
+// The input triangle soup.
 struct Soup {
   std::span<const float> positions;
   std::span<const uint32_t> indices;
 
   uint32_t vertexCount() const { return static_cast<uint32_t>(positions.size() / 3); }
   uint32_t faceCount() const { return static_cast<uint32_t>(indices.size() / 3); }
-  // Adding 0 makes +0 of -0.
+  // Adding 0 turns -0 into +0.
   Vec3 position(uint32_t v) const {
     return {positions[3 * v] + 0.0f, positions[3 * v + 1] + 0.0f, positions[3 * v + 2] + 0.0f};
   }
@@ -38,7 +38,7 @@ void checkOptions(const WeldOptions& options) {
     throw std::invalid_argument("The welding tolerance must be a number of percent that is not negative.");
 }
 
-// Returns per vertex whether a face uses it. Throws std::invalid_argument for a face that cannot be read.
+// Returns per vertex whether a face uses it. Throws std::invalid_argument for an invalid face.
 std::vector<uint8_t> checkFaces(const Soup& soup) {
   if (soup.positions.size() % 3 != 0 || soup.indices.size() % 3 != 0)
     throw std::invalid_argument("Positions and indices must come in threes; the mesh has " +
@@ -91,7 +91,7 @@ bool isDegenerate(const Triangle& face) {
   return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
 }
 
-// Collects the faces that stay, in the order of their source, with representatives as their vertices.
+// Collects the faces that remain, in source order, with representatives as their vertices.
 void collectFaces(const Soup& soup, const std::vector<uint32_t>& representative, bool keepDuplicates,
                   WeldResult& result) {
   FirstOccurrence sameVertices(soup.faceCount());

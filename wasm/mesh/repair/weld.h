@@ -19,22 +19,22 @@ struct WeldOptions {
   bool keepDuplicates = false;
 };
 
-// The welded body, and where its vertices and triangles came from.
+// The welded body, and the source of its vertices and triangles.
 struct WeldResult {
   TriangleMesh mesh;  // without unreferenced vertices, degenerate or duplicate triangles
-  // Per source vertex its vertex in `mesh`, or kNone where no usable face needs it.
+  // Per source vertex its vertex in `mesh`, or kNone if no usable face refers to it.
   std::vector<uint32_t> vertexOfSource;
   std::vector<uint32_t> sourceOfTriangle;  // per triangle of `mesh` its index in the source
   uint32_t weldedVertices = 0;             // referenced source vertices that were welded to another
   uint32_t degenerateFaces = 0;            // left out: a vertex occurs twice
   uint32_t duplicateFaces = 0;  // left out: the same three vertices as an earlier face, in any order
-  // Flipped so that neighbours agree (the smaller side of each patch is, see `orient`): the second and third
-  // corner of such a face are swapped.
+  // Faces flipped so that neighbours are consistent (the smaller side of each patch, see `orient`): their
+  // second and third corners are swapped.
   uint32_t flippedFaces = 0;
 };
 
 // Welds a triangle soup into a TriangleMesh. positions[3 * v + c], indices[3 * t + corner].
-// Vertices come in the order of their lowest source vertex, triangles in the order of the source. A closed
+// Vertices are in the order of their lowest source vertex, triangles in the order of the source. A closed
 // body is wound consistently but never flipped as a whole, so its faces need not look outwards. A soup
 // without any usable face gives an empty result. Throws std::invalid_argument with a sentence if an index is
 // out of range, a referenced position is not finite or the tolerance is not a number >= 0. Throws Cancelled.
