@@ -13,7 +13,7 @@ namespace limber {
 
 namespace {
 
-// The order of constraints that the noise floor is measured with.
+// The order of constraints with which the noise floor is measured.
 constexpr uint32_t kOtherOrder = 1;
 
 double secondsNow() {
@@ -44,7 +44,7 @@ class ComparedRuns {
     std::vector<Vec3> displacements;  // [step sampleCount + sample], units of the mesh
   };
 
-  // Announces runs with this many substeps in all.
+  // Adds to the number of substeps that the progress refers to.
   void expect(double substeps) { expected_ += substeps; }
 
   Result run(const Body& body) {
@@ -89,7 +89,7 @@ class ComparedRuns {
   Job& job_;
 };
 
-// The original against its other body at growing substeps.
+// The comparison of the original with the other body at increasing substeps.
 class ComparedMotions {
  public:
   ComparedMotions(const TriangleMesh& original, const TriangleMesh& other, const MotionOptions& options,

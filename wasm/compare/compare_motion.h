@@ -15,17 +15,17 @@ struct MotionOptions {
   SimulationOptions simulation;
   Scenario scenario;
   std::vector<uint32_t> pinned;            // vertices of the original
-  std::vector<SurfacePoint> binding = {};  // of the vertices of the original, see carry_pins.h
+  std::vector<SurfacePoint> binding = {};  // per vertex of the original, see carry_pins.h
   double calibration = 1;                  // Young's modulus of `other` over that of the original
-  // What `other` is simulated with where the original has a solver; none: the same without its factors and
+  // The solver of `other` if the original has one; none: the original's solver without its factors and
   // masses.
   std::optional<SimulatedSolver> otherSolver = {};
   bool doublesSubsteps = false;  // double the substeps until the original has converged, see compareMotion
-  uint32_t sampleCount = kMotionSamples;  // points that the deviation is measured at
+  uint32_t sampleCount = kMotionSamples;  // points at which the deviation is measured
   bool records = false;                   // keep the positions after every step
 };
 
-// What the run of one body has cost and, where asked for, how the body has moved.
+// The time that the run of one body took and, if requested, its motion.
 struct MotionRun {
   uint32_t constraints = 0, edges = 0;
   double secondsPerStep = 0;     // the shortest step, all work included
@@ -40,26 +40,27 @@ struct MotionComparison {
   MotionDeviation deviation;  // over points and steps
   double noiseFloor = 0;
   int substeps = 0;  // as used
-  // The mean deviation of the original from itself with twice the substeps (but no more than a step can have,
-  // which count as converged); not measured without `other`.
+  // The mean deviation of the original from itself with twice the substeps; not measured without `other`. The
+  // number of substeps is capped at the largest that a step can have, which counts as converged.
   double substepDeviation = 0;
-  // Whether that is at most kConverged of the deviation of `other`, which then is not one of substeps.
+  // Whether that is at most kConverged times the deviation of `other`, so that the latter is not due to the
+  // substeps.
   bool isConverged = false;
 };
 
 // By convention, see docs/report.md: substeps then change the deviation by at most a quarter of it.
 inline constexpr double kConverged = 0.25;
-// The most constraints that are solved in one run to see whether the original has converged (a run solves all
+// The most constraint solves in one run that checks whether the original has converged (a run solves all
 // constraints in every substep of every step); beyond it `doublesSubsteps` gives up. About a minute at 25 ns
 // each.
 inline constexpr double kMostSolved = 2e9;
 
-// Runs the scenario with the original and, where it is given, with `other`: the same material except for the
-// calibration or its own solver, and the pins carried over. The runs follow each other, so that each has its
-// own time. The original runs once more with twice the substeps, to see whether it has converged; with
-// `doublesSubsteps` the comparison is repeated with these until it has, or until kMostSolved. Throws as
-// RunningScenario does, std::invalid_argument where `other` has no triangle, and std::runtime_error with a
-// sentence as soon as a body has diverged.
+// Runs the scenario with the original and, if given, with `other`, which has the same material except for the
+// calibration or its own solver, and the pins carried over. The bodies run one after the other, so that each
+// is timed separately. The original runs once more with twice the substeps, to see whether it has converged;
+// with `doublesSubsteps` the comparison is repeated with the doubled number until it has, or until
+// kMostSolved is reached. Throws as RunningScenario does, std::invalid_argument if `other` has no triangle,
+// and std::runtime_error with a sentence as soon as a body has diverged.
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job);
 

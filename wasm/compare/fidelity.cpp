@@ -13,7 +13,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kMargin = 8;               // extra modes of the other body, as the order of modes may differ
+constexpr int kMargin = 8;  // extra modes of the other body, because the order of modes may differ
 constexpr double kNeighbourhood = 0.10;  // modes within this relative distance in frequency form one subspace
 
 // The lowest modes of a body's shell, as columns over its vertices.
@@ -167,7 +167,7 @@ double calibrationFactor(const TriangleMesh& original, const TriangleMesh& other
                          const FidelityOptions& options, Job& job) {
   requireTriangles(original, other);
   job.begin(Phase::Compare);
-  // With as many modes as compareFidelity, so that the pairs are the same.
+  // With the same number of modes as compareFidelity, so that the pairs are the same.
   const Pairing pairing = Comparison(original, other, options, job).pair(1, 2 * options.modeCount);
   const double factor = bestFactor(pairing.ratio, static_cast<size_t>(options.modeCount));
   return factor * factor;

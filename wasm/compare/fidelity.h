@@ -11,7 +11,7 @@ namespace limber {
 // to the closest points of the original. Errors in %.
 struct Fidelity {
   double frequencyErrorMean = 0, frequencyErrorMax = 0;    // over the first modeCount modes
-  double frequencyErrorCalibrated = 0;                     // mean error after the best single factor on E
+  double frequencyErrorCalibrated = 0;                     // mean error with the best single factor on E
   double calibrationFactor = 1;                            // that factor
   double frequencyErrorThin = 0, frequencyErrorThick = 0;  // means at half and at twice the thickness
   double frequencyErrorHigh = 0;                           // mean over the next modeCount modes
@@ -27,13 +27,13 @@ struct FidelityOptions {
 // for them: see lowestModes. Throws as computeModes.
 ModeBasis shellModes(const TriangleMesh& mesh, const FidelityOptions& options, Job& job);
 
-// frequencyErrorMean and frequencyErrorMax of compareFidelity.
+// The fields frequencyErrorMean and frequencyErrorMax of Fidelity.
 struct FrequencyErrors {
   double mean = 0, max = 0;
 };
 
-// The errors of the first options.modeCount frequencies alone, where `modes` are the shellModes of the
-// original with the same options: a sixth of the work of compareFidelity. Throws as computeModes, and
+// Only the errors of the first options.modeCount frequencies, at a sixth of the cost of compareFidelity.
+// `modes`: the shellModes of the original with the same options. Throws as computeModes, and
 // std::invalid_argument if `modes` do not fit the original.
 FrequencyErrors frequencyErrors(const TriangleMesh& original, const ModeBasis& modes,
                                 const TriangleMesh& other, const FidelityOptions& options, Job& job);
@@ -42,8 +42,8 @@ FrequencyErrors frequencyErrors(const TriangleMesh& original, const ModeBasis& m
 Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job);
 
-// Fidelity::calibrationFactor alone, for a fraction of the time: with this factor on its Young's modulus,
-// `other` has the first frequencies of the original. Throws as computeModes.
+// Only Fidelity::calibrationFactor, in a fraction of the time: with this factor on its Young's modulus,
+// `other` matches the first frequencies of the original. Throws as computeModes.
 double calibrationFactor(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job);
 

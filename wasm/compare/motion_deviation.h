@@ -10,19 +10,19 @@
 
 namespace limber {
 
-// Points that a motion deviation is measured at.
+// The number of points at which a motion deviation is measured.
 inline constexpr uint32_t kMotionSamples = 1000;
 
-// Points spread evenly by area over the surface of the original, followed on one simulated body: the original
-// itself, or a result. Each point is bound at rest to the closest point of the body that faces the same way.
+// Points spread evenly by area over the surface of the original, tracked on one simulated body: the original
+// itself, or a result. At rest, each point is bound to the closest point of the body that faces the same way.
 class MotionSamples {
  public:
   // `atRest` is the simulation of `body` before its first step.
   MotionSamples(const TriangleMesh& original, const TriangleMesh& body, const Simulation& atRest,
                 uint32_t count = kMotionSamples);
 
-  // How far each point has moved since it was at rest, in units of the mesh. Point i of two bodies with the
-  // same original and count is the same point of the original.
+  // The displacement of each point from rest, in units of the mesh. For two bodies with the same original and
+  // count, point i is the same point of the original.
   std::vector<Vec3> displacements(const Simulation& simulation) const;
 
  private:

@@ -17,8 +17,8 @@ namespace {
 constexpr size_t kGrain = 512;  // points of a range for one thread
 constexpr uint64_t kSamplesPerTriangle = 10, kFewestSamples = 10'000, kMostSamples = 500'000;
 
-// The distance of each point to a surface. Points that follow one another should lie close together: the
-// triangle closest to one is where the search for the next begins.
+// The distance of each point to a surface. Consecutive points should lie close together: the search for each
+// begins at the triangle closest to the previous one.
 std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPointTree& tree, Job& job) {
   std::vector<double> out(points.size());
   parallelFor(points.size(), kGrain, [&](size_t begin, size_t end) {
@@ -33,8 +33,8 @@ std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoin
   return out;
 }
 
-// The largest distance of the points to a surface, or `atLeast` where that is larger. `find(point, enough,
-// near)` finds what is nearest to a point, or anything that is at most `enough` away.
+// The largest distance of the points to a surface, or `atLeast` if that is larger. `find(point, enough,
+// near)` finds the nearest point, or any point that is at most `enough` away.
 template <class Find>
 double largestDistance(const std::vector<Vec3>& points, const Find& find, double atLeast, Job& job) {
   std::vector<double> largest((points.size() + kGrain - 1) / kGrain, atLeast);
@@ -101,8 +101,8 @@ uint32_t sampleCount(const TriangleMesh& a, const TriangleMesh& b, uint32_t want
   return static_cast<uint32_t>(std::clamp(proportional, kFewestSamples, kMostSamples));
 }
 
-// Where two surfaces are farthest apart one of them often has an edge. About half as many points as
-// `samples`, those on the surface.
+// The largest distance of two surfaces often occurs on an edge. About half as many points as `samples`, the
+// points on the surface.
 std::vector<Vec3> edgePoints(const TriangleMesh& mesh, size_t samples) {
   double total = 0;
   for (const Triangle& t : mesh.triangles)

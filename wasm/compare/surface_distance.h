@@ -25,13 +25,14 @@ struct SurfaceDistance {
 SurfaceDistance measureSurfaceDistance(const TriangleMesh& a, const TriangleMesh& b,
                                        const SurfaceDistanceOptions& options, Job& job);
 
-// The field `hausdorff` of measureSurfaceDistance alone, in a fraction of its time: points that are not
-// farther away than one before them are not looked at closely. Throws Cancelled.
+// Only the field `hausdorff` of measureSurfaceDistance, in a fraction of its time: the exact distance of a
+// point is skipped if it cannot exceed the largest one so far. Throws Cancelled.
 double measureHausdorff(const TriangleMesh& a, const TriangleMesh& b, const SurfaceDistanceOptions& options,
                         Job& job);
 
-// Whether measureHausdorff would find at most `limit`, in a fraction of its time: points that are not farther
-// away are not looked at closely, and the first one that is ends the search. Throws Cancelled.
+// Whether measureHausdorff would return at most `limit`, in a fraction of its time: the exact distance of a
+// point is skipped if it cannot exceed the limit, and the first point beyond it ends the search. Throws
+// Cancelled.
 bool isWithinHausdorff(const TriangleMesh& a, const TriangleMesh& b, double limit,
                        const SurfaceDistanceOptions& options, Job& job);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kShiftOfStart = 0.5;  // times the first eigenvalue of a start
 
-// As many rigid motions as the clamped unknowns leave free: those that move these the least.
+// As many rigid motions as the clamped unknowns leave free: those that move the clamped unknowns the least.
 Eigen::MatrixXd freeRigidMotions(const TriangleMesh& mesh, const std::vector<uint32_t>& clamped, int count) {
   const Eigen::MatrixXd motions = rigidMotions(mesh);
   if (clamped.empty()) return motions;

@@ -9,29 +9,30 @@
 
 namespace limber {
 
-// Finding the modes of a body by inverse iteration from those of nearly the same body, its start.
+// Finds the modes of a body by inverse iteration from a start: the modes of nearly the same body.
 
-// Modes to compute beyond those that are wanted: a subspace converges as fast as the first mode left out
-// allows.
+// Modes to compute in addition to the wanted ones: the first mode outside the subspace limits how fast it
+// converges.
 inline constexpr int kSpareModes = 6;
-// A body with at most this many unknowns is solved from scratch, which is fast.
+// Bodies with at most this many unknowns are solved from scratch, which is fast enough.
 inline constexpr int kFewUnknowns = 400;
 
-// The unknowns of a body: how many there are, which are clamped, and how many rigid motions that leaves free.
+// The unknowns of a body: their number, which of them are clamped, and the number of rigid motions that
+// remain free.
 struct StartUnknowns {
   Eigen::Index count;
   const std::vector<uint32_t>& clamped;
-  int freeMotions;  // 6 where nothing is clamped
+  int freeMotions;  // 6 if nothing is clamped
 };
 
-// For all modes of a start, which must have some. The tolerance and the number of steps are defaults.
+// Options that refine all modes of a start, which must have some, with the default tolerance and number of
+// steps.
 RefineOptions refineOptions(const ModeBasis& start);
-// The same without residuals, where only the first `count` modes have to be exact.
+// The same without residuals; only the first `count` modes have to be exact.
 RefineOptions followOptions(const ModeBasis& start, int count);
 
-// The columns to refine: the rigid motions that the clamped unknowns leave free, `freeMotions` in number,
-// then those of a start. Rows of `phi` that are missing, such as those of edge rotations, and those of
-// `clamped` are 0.
+// The columns to refine: the `freeMotions` rigid motions that the clamped unknowns leave free, then those of
+// a start. Rows that `phi` lacks, such as those of edge rotations, and rows of `clamped` unknowns are 0.
 Eigen::MatrixXd startColumns(const TriangleMesh& mesh, const ModeBasis& start, const StartUnknowns& unknowns);
 
 }  // namespace limber

@@ -6,8 +6,8 @@
 namespace limber {
 
 // The graph Laplacian with k = 1 per edge as K and lumped areas as M, one unknown per vertex: the model whose
-// modes look like the paper's (docs/paper.md). `mesh` should be scaled to a bounding diagonal of 1; lambda
-// then has no unit.
+// modes resemble the paper's (docs/paper.md). `mesh` should be scaled to a bounding diagonal of 1, so that
+// lambda is dimensionless.
 SparsePencil laplacianPencil(const TriangleMesh& mesh, const Topology& topology);
 
 }  // namespace limber

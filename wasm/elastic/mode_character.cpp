@@ -19,8 +19,8 @@ constexpr size_t kVerticesOfSection = 16;  // on average, at least: small meshes
 constexpr double kLocal = 0.2;             // participation below which a mode is local
 constexpr double kBreathe = 0.5;           // share of the energy above which a mode breathes
 constexpr double kWhole =
-    0.95;  // share of the energy of one rigid motion that shows a beam, however light its tip
-constexpr double kExplained = 0.5;  // share of the energy below which rigid sections explain nothing
+    0.95;  // energy share of one rigid motion that identifies a beam, however light its tip
+constexpr double kExplained = 0.5;  // energy share below which rigid sections do not explain the motion
 
 bool isClosed(const Topology& topology) {
   return std::all_of(topology.edges.begin(), topology.edges.end(),
@@ -64,7 +64,7 @@ ModeObserver::ModeObserver(const TriangleMesh& mesh) : mesh_(mesh), mass_(lumped
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const double position = (dot(mesh.positions[v], axis_) - low) / width * static_cast<double>(count);
     const double last = static_cast<double>(count - 1);
-    // Where coordinates overflow, it is no number.
+    // NaN if coordinates overflow.
     sections_[position > 0 ? static_cast<size_t>(std::min(position, last)) : 0].push_back(v);
   }
 }

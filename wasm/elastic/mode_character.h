@@ -8,27 +8,27 @@
 
 namespace limber {
 
-// What a mode shape does, as shares of its kinetic energy over the surface, with area as mass m. Each in [0,
-// 1].
+// The kinds of motion in a mode shape, as shares of its kinetic energy over the surface, with area as mass m.
+// Each in [0, 1].
 struct ModeCharacter {
-  // From cross-sections across the longest axis (see longestAxis), each fitted with a rigid motion of its
-  // own:
+  // From cross-sections perpendicular to the longest axis (see longestAxis), each fitted with its own rigid
+  // motion:
   double stretch = 0;  // sections move along the axis
   double bend = 0;     // sections move across the axis or lean
   double twist = 0;    // sections rotate about the axis
-  // (sum m u . n)^2 / (sum m  sum m |u|^2): 1 if a closed surface moves evenly outwards; 0 for an open
+  // (sum m u . n)^2 / (sum m sum m |u|^2): 1 if a closed surface moves outwards uniformly; 0 for an open
   // surface.
   double breathe = 0;
-  // (sum m |u|)^2 / (sum m  sum m |u|^2): the share of the surface that takes part, 1 if all of it moves
-  // alike.
+  // (sum m |u|)^2 / (sum m sum m |u|^2): the share of the surface that takes part, 1 if all of it moves
+  // equally far.
   double participation = 0;
 };
 
-// Measures mode shapes of one body against its longest axis. The mesh must outlive the object.
+// Measures mode shapes of one body with respect to its longest axis. The mesh must outlive the object.
 class ModeObserver {
  public:
   explicit ModeObserver(const TriangleMesh& mesh);
-  // `shape`: displacements shape[3 v + c], of any scale.
+  // `shape`: displacements shape[3 v + c], at any scale.
   ModeCharacter observe(const Eigen::Ref<const Eigen::VectorXd>& shape) const;
 
  private:

@@ -62,7 +62,7 @@ ModeSet collectModes(const TriangleMesh& body, const std::vector<Part>& parts,
   set.shapes.assign(3 * size_t{body.vertexCount()} * set.modesPerComponent, 0.0f);
   const ElasticMaterial& material = options.material;
   for (size_t i = 0; i < parts.size(); ++i) {
-    // In the frame E, rho and the diagonal are 1: omega = omega_frame sqrt(E / rho) / L.
+    // In the frame, E, rho and the diagonal are 1: omega = omega_frame sqrt(E / rho) / L.
     const double toRadians =
         std::sqrt(material.young / material.density) / (parts[i].diagonal * material.unit);
     addPart(set, parts[i], modes[i], toRadians);

@@ -8,8 +8,8 @@
 
 namespace limber {
 
-// The modes of all parts of a body as one set, in SI units, named and sorted. Throws std::invalid_argument
-// where the material makes a frequency infinite.
+// The modes of all parts of a body as one set, in SI units, named and sorted. Throws std::invalid_argument if
+// the material makes a frequency infinite.
 ModeSet collectModes(const TriangleMesh& body, const std::vector<Part>& parts,
                      const std::vector<PartModes>& modes, const ModesOptions& options);
 

@@ -20,16 +20,16 @@ namespace limber {
 namespace {
 
 // The stiffness of the spring at a pinned point of a solid, relative to that of a cell (E times its size).
-// Pins give way by about the inverse of it, and residuals lose as many digits.
+// Pins yield by about the inverse of it, and residuals lose accuracy by the factor itself.
 constexpr double kPinStiffness = 1e4;
 
-// Rough sizes of the first elastic eigenvalue in the frame of a part.
+// Rough estimates of the first elastic eigenvalue in the frame of a part.
 constexpr double kSolidScale = 0.5, kLaplacianScale = 5;
 
 constexpr int kRefineSteps = 4;
 
-// Displacements within this relative distance of the largest one count as equal: the one that comes first
-// decides, so that rounding does not.
+// Displacements within this relative distance of the largest one count as equal: the first of them decides,
+// so that rounding does not.
 constexpr double kTie = 1e-9;
 
 // The modes of a part from a solution; displacement(v, k) returns that of vertex v in pair k.
@@ -61,7 +61,7 @@ uint64_t estimatedMemory(const TriangleMesh& mesh) {
   return static_cast<uint64_t>(1000.0 * mesh.triangleCount() + 38 * sizeof(double) * n * std::log2(n));
 }
 
-// A part as a shell that is ready to be solved.
+// A part as a shell with everything that its solves need.
 class PartShell {
  public:
   PartShell(const Part& part, const ModesOptions& options, Job& job)
@@ -165,7 +165,7 @@ PartModes solveLaplacian(const Part& part, const ModesOptions& options, Job& job
 }  // namespace
 
 uint32_t latticeCells(const Part& part, const ModesOptions& options) {
-  constexpr double kFewestCells = 64;  // four in each direction, for bending needs some
+  constexpr double kFewestCells = 64;  // four in each direction, because bending needs some
   constexpr double kGuidingCells = 1200;
   if (options.guidedParts == 0) return SolidOptions{}.targetCells;
   const double resolving = std::pow(part.mesh.triangleCount() / 6.0, 1.5);
@@ -173,8 +173,8 @@ uint32_t latticeCells(const Part& part, const ModesOptions& options) {
 }
 
 PartModes refineShell(const Part& part, const PartModes& start, const ModesOptions& options, Job& job) {
-  // The squares of the rounded frequencies, not the eigenvalues themselves: the shift, and with it every last
-  // bit of the result, depends on them.
+  // The squares of the rounded frequencies, not the eigenvalues themselves: the shift, and therefore the last
+  // bits of the result, depend on them.
   const ModeBasis approximate{start.basis.lambda.cwiseSqrt().cwiseAbs2(), start.basis.phi};
   PartModes modes = PartShell(part, options, job).refine(approximate, job);
   modes.zeroModesFound = start.zeroModesFound;

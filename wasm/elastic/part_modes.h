@@ -23,18 +23,18 @@ struct PartModes {
   std::string failure = {};     // see ComponentModes::failure
 };
 
-// About how many cells the lattice of a solid part has. For guidance alone, a lattice need not be finer than
-// what it guides: strain is one number per triangle, and a cube of n cells has 6 n^(2/3) faces of cells on
-// its surface, so that (faces / 6)^(3/2) cells resolve it, up to the kGuidingCells whose ranks hardly differ
-// from those of finer lattices (docs/modes.md).
+// The approximate number of cells in the lattice of a solid part. A lattice that is only used for guidance
+// need not be finer than the triangles that it guides: strain is one number per triangle, and a cube of n
+// cells has 6 n^(2/3) cell faces on its surface, so (faces / 6)^(3/2) cells resolve it. At most
+// kGuidingCells, whose ranks hardly differ from those of finer lattices (docs/modes.md).
 uint32_t latticeCells(const Part& part, const ModesOptions& options);
 
-// Solves one part with its own model. A part all of whose vertices are pinned has no modes. Throws as
+// Solves one part with its own elastic model. A part whose vertices are all pinned has no modes. Throws as
 // computeModes.
 PartModes solvePart(const Part& part, const ModesOptions& options, Job& job);
 
 // The modes of a shell from approximate ones, by inverse iteration on the part itself until its frequencies
-// change by less than 1e-4. Zero modes are taken over from `start`. Throws as computeModes.
+// change by less than 1e-4. Zero modes are copied from `start`. Throws as computeModes.
 PartModes refineShell(const Part& part, const PartModes& start, const ModesOptions& options, Job& job);
 
 // Scales a shape, shape[3 v + c], to a largest displacement of 1 whose largest component is positive.

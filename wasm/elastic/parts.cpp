@@ -41,7 +41,7 @@ Grouping groupComponents(const TriangleMesh& body, const Topology& topology, Ela
   return grouping;
 }
 
-// The parts' meshes in their unit frames, and where their vertices come from.
+// The meshes of the parts in their unit frames, and the ids of their vertices in the body.
 void fillParts(std::vector<Part>& parts, MeshParts split, const Topology& topology) {
   for (size_t i = 0; i < parts.size(); ++i) {
     parts[i].mesh = std::move(split.parts[i].mesh);

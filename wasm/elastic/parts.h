@@ -9,7 +9,8 @@
 namespace limber {
 
 // What vibrates as one: a connected component, or, for the solid model, an outer surface together with its
-// cavities. In its own frame: moved and scaled so that the bounding box starts at 0 and its diagonal is 1.
+// cavities. It is in its own frame: translated and scaled so that the bounding box starts at 0 and its
+// diagonal is 1.
 struct Part {
   TriangleMesh mesh;
   ElasticModel model = ElasticModel::Shell;  // never Auto
@@ -20,8 +21,8 @@ struct Part {
   double diagonal = 0;                       // length of the frame's unit, in units of the body
 };
 
-// The parts of a body, ordered by their hosts. Throws std::invalid_argument if the solid model is asked for a
-// part without an inside, or if a pinned vertex does not exist.
+// The parts of a body, ordered by their hosts. Throws std::invalid_argument if the solid model is requested
+// for a part without an inside, or if a pinned vertex does not exist.
 std::vector<Part> partsOf(const TriangleMesh& body, const Topology& topology, const ModesOptions& options);
 
 }  // namespace limber

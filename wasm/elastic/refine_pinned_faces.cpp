@@ -8,8 +8,8 @@ namespace limber {
 
 namespace {
 
-// Adds a vertex in the middle of each long edge of a pinned triangle. Returns the middle vertex per edge, or
-// kNone.
+// Adds a vertex at the midpoint of each long edge of a pinned triangle. Returns the middle vertex per edge,
+// or kNone.
 std::vector<uint32_t> splitLongEdges(TriangleMesh& mesh, const Topology& topology,
                                      std::vector<uint8_t>& isPinned, double length) {
   std::vector<uint32_t> middle(topology.edges.size(), kNone);
@@ -29,7 +29,7 @@ std::vector<uint32_t> splitLongEdges(TriangleMesh& mesh, const Topology& topolog
   return middle;
 }
 
-// Appends the ends of the edges that the vertices from `before` on lie in the middle of.
+// For the vertices from `before` on, appends the ends of the edges whose midpoints they are.
 void addParents(const Topology& topology, const std::vector<uint32_t>& middle, uint32_t before,
                 std::vector<std::array<uint32_t, 2>>& parents) {
   const size_t first = parents.size();

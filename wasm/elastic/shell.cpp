@@ -25,7 +25,7 @@ ElementMatrix tieStiffness(const ShellElement& tie, double thickness) {
   const StrainMatrix force = tie.strain * (thickness / kFlattestTriangle),
                      moment = tie.curvature * (bending / kFlattestTriangle);
   ElementMatrix k = force.transpose().lazyProduct(tie.strain) + moment.transpose().lazyProduct(tie.curvature);
-  // Edge rotations without any other stiffness must not leave K singular.
+  // Edge rotations without any other stiffness would make K singular.
   k.diagonal().tail<3>().array() += kLooseRotation * bending / kFlattestTriangle;
   return k;
 }

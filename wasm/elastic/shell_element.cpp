@@ -57,8 +57,8 @@ ShellElement::Strain membraneStrain(const Frame& frame) {
 // Morley's element: the constant curvature from normal displacements w and edge rotations. A linear w with
 // gradient g has
 //   sum_e l_e (g . m_e) m_e m_e^T = -sum_e (w_end - w_start) t_e m_e^T
-// with t_e along edge e and m_e outwards, because the vectors l_e m_e sum to 0. So the displacements enter
-// divided by the area alone, and the gradient itself, which would cancel to rounding in a thin triangle,
+// with t_e along edge e and m_e outwards, because the vectors l_e m_e sum to 0. So the displacements are only
+// divided by the area, and the gradient itself, which in a thin triangle would suffer from cancellation,
 // never appears.
 ShellElement::Strain bendingCurvature(const Frame& frame, const std::array<double, 3>& sign) {
   std::array<Tensor, 3> tangentNormal;  // t_e m_e^T, with t_e = (cosine, sine) and m_e = (sine, -cosine)
@@ -87,7 +87,7 @@ void setGaps(const Frame& frame, const std::array<double, 3>& sign, ShellElement
     element.strain(axis, 3 * end + axis) = -share;
   }
   for (int k = 0; k < 2; ++k) {
-    const int other = (e + 1 + k) % 3;  // runs against the longest edge
+    const int other = (e + 1 + k) % 3;  // traversed against the longest edge
     element.curvature(k, 9 + e) = sign[e];
     element.curvature(k, 9 + other) = sign[other];
   }

@@ -13,13 +13,14 @@ namespace limber {
 
 namespace {
 
-// In its own plane a triangle has corner 0 at (0, 0), corner 1 at (a, 0) and corner 2 at (b, c). A Number
-// carries its derivatives by the shape parameters a, b and c.
+// In its own plane a triangle has corner 0 at (0, 0), corner 1 at (a, 0) and corner 2 at (b, c). A Number has
+// its derivatives with respect to the shape parameters a, b and c.
 using Number = Dual<3>;
 using DualTensor = std::array<Number, 3>;  // xx, yy, 2 xy
 constexpr size_t kShapeParameters = 3;
 
-// An element is differentiated by a, b and c, then by small rotations about its own axes x, y and z.
+// An element is differentiated with respect to a, b and c, then to small rotations about its own axes x, y
+// and z.
 constexpr size_t kParameters = 6;
 
 constexpr size_t kTrianglesPerRange = 128;
@@ -52,7 +53,7 @@ Number longestSquared(const std::array<Number, 3>& edgeX, const std::array<Numbe
   return longest;
 }
 
-// ShellElement::weight. Of a tie nothing: its stiffness hardly depends on its shape.
+// ShellElement::weight; 0 for a tie, whose stiffness hardly depends on its shape.
 Number stiffnessWeight(const Number& area, const Number& squaredLongest) {
   const Number flatness = area * 2.0 / squaredLongest;
   if (!(flatness.value > kDegenerateTriangle)) return Number(0);
@@ -89,7 +90,7 @@ Element elementOf(const TriangleMesh& mesh, uint32_t t) {
   return element;
 }
 
-// What a mode does to one triangle, along the triangle's own axes.
+// The displacements of one triangle in a mode, along the triangle's own axes.
 struct ElementMode {
   std::array<std::array<double, 3>, 3> displacement;  // per corner
   std::array<double, 3> edgeRotation;                 // per edge e: s_e psi_e
@@ -113,7 +114,8 @@ ElementMode modeOf(const ThinShell& shell, uint32_t t, const Element& element,
 // The membrane strain, then the curvature.
 using Strain = std::array<double, 6>;
 
-// A number with its derivatives by a, b and c and by rotations about x, y and z. The last lane is unused.
+// A number with its derivatives with respect to a, b and c and to rotations about x, y and z. The last lane
+// is unused.
 using Derivatives = std::array<RealPair, 4>;
 
 struct StrainDerivatives {
@@ -121,12 +123,13 @@ struct StrainDerivatives {
   std::array<Derivatives, 6> strain{};
 };
 
-// The first two lanes of a Number, its value and the derivative by a, or the other two.
+// The first two lanes of a Number, its value and the derivative with respect to a, or the other two.
 RealPair lanes(const Number& x, size_t half) {
   return half == 0 ? RealPair{x.value, x.derivative[0]} : RealPair{x.derivative[1], x.derivative[2]};
 }
 
-// Adds the strains from corner v and its opposite edge, with derivatives by the shape parameters.
+// Adds the strains from corner v and its opposite edge, with derivatives with respect to the shape
+// parameters.
 void addShape(const Element& element, const ElementMode& mode, size_t v, std::array<Derivatives, 6>& out) {
   const auto [ux, uy, w] = mode.displacement[v];
   for (size_t half = 0; half < 2; ++half) {
@@ -140,8 +143,8 @@ void addShape(const Element& element, const ElementMode& mode, size_t v, std::ar
   }
 }
 
-// Adds the derivatives of the strains from corner v by rotations of the triangle. Seen from a triangle that
-// rotates by a small angle, displacements rotate backwards.
+// Adds the derivatives of the strains from corner v with respect to rotations of the triangle. In the frame
+// of a triangle that rotates by a small angle, displacements rotate backwards.
 void addRotations(const Element& element, const ElementMode& mode, size_t v,
                   std::array<Derivatives, 6>& out) {
   const auto [ux, uy, w] = mode.displacement[v];
@@ -179,8 +182,8 @@ StrainDerivatives strainsOf(const Element& element, const ElementMode& mode, con
   return strains;
 }
 
-// The stresses of each mode times the strains of the other, with derivatives. The stiffness of the material
-// is constant, so derivatives of stresses are not needed.
+// The stresses of each mode times the strains of the other, with derivatives. The material stiffness is
+// constant, so derivatives of stresses are not needed.
 Derivatives energyDerivatives(const StrainDerivatives& i, const StrainDerivatives& j) {
   Derivatives sum{};
   for (size_t k = 0; k < 6; ++k)
@@ -198,8 +201,9 @@ double inertiaOf(const ElementMode& a, const ElementMode& b, double lambda, doub
   return lambda * thickness * sum / 3;
 }
 
-// Derivatives by the coordinates of the corners from those by shape and rotation. Moving corner 1 along y
-// rotates the triangle by 1 / a about its normal, and so on; moving all three corners alike changes nothing.
+// Derivatives with respect to the coordinates of the corners from those with respect to shape and rotation.
+// Moving corner 1 along y rotates the triangle by 1 / a about its normal, and so on; moving all three corners
+// equally changes nothing.
 std::array<double, 9> byCorners(const Element& element, const std::array<double, kParameters>& derivative) {
   const auto& [a, b, c, rotationX, rotationY, rotationZ] = derivative;
   const Eigen::Vector3d first(a, (rotationZ + element.c * b - element.b * c) / element.a,
@@ -239,8 +243,8 @@ class Differentiator {
         modes_(static_cast<size_t>(psi.cols())),
         strains_(modes_.size()) {}
 
-  // Writes row 3 k + c of `rows`: the derivatives by coordinate c of corner k, a column for each pair.
-  // Triangles without area contribute nothing.
+  // Writes row 3 k + c of `rows`: the derivatives with respect to coordinate c of corner k, a column for each
+  // pair. Triangles without area contribute nothing.
   void differentiate(uint32_t t, Eigen::Ref<RowMajor> rows) {
     const Element element = elementOf(shell_.mesh, t);
     for (size_t k = 0; k < modes_.size(); ++k) {
@@ -274,7 +278,7 @@ Eigen::MatrixXd shellSensitivity(const ThinShell& shell, const Eigen::MatrixXd& 
   const auto pairCount = static_cast<Eigen::Index>(pairs.size());
   RowMajor sum = RowMajor::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()), pairCount);
   RowMajor derivatives(9 * kTrianglesPerChunk, pairCount);  // nine rows per triangle
-  // Chunks bound the memory of `derivatives`; the sums are taken in the order of the triangles.
+  // Chunks bound the memory of `derivatives`; sums are formed in the order of the triangles.
   for (uint32_t first = 0; first < mesh.triangleCount(); first += kTrianglesPerChunk) {
     job.check();
     const uint32_t count = std::min(kTrianglesPerChunk, mesh.triangleCount() - first);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kGrain = 2048;  // vertices of a range for one thread
 constexpr double kNeedle =
-    1e-12;  // twice the area over the longest edge squared, below which cotangents are useless
+    1e-12;  // twice the area over the longest edge squared, below which cotangents are inaccurate
 
 // Sums over the triangles around a vertex (Meyer et al. 2003).
 struct Ring {
@@ -20,7 +20,7 @@ struct Ring {
   double area = 0;    // mixed area, Figure 4
 };
 
-// The share of a triangle's area that belongs to its corner p: its Voronoi region, or a half or a quarter of
+// The part of a triangle's area that belongs to its corner p: its Voronoi region, or a half or a quarter of
 // the triangle if an angle is obtuse.
 double mixedArea(const Vec3& p, const Vec3& q, const Vec3& r, double area) {
   const double atP = dot(q - p, r - p), atQ = dot(p - q, r - q), atR = dot(p - r, q - r);
@@ -61,8 +61,8 @@ std::vector<bool> borderVertices(const TriangleMesh& mesh, const Topology& topol
 }
 
 // A border vertex has triangles on one side only, so the gradient of the area there contains a component
-// across the border that is not curvature. The vertex gets the area-weighted mean of its inner neighbours.
-// Without any, the caller's value stays, which is the part of the gradient along the normal.
+// across the border that is not curvature. The vertex gets the area-weighted mean of its interior neighbours.
+// Without any, it keeps the caller's value, which is the part of the gradient along the normal.
 void fillBorder(const Topology& topology, const std::vector<bool>& border, const std::vector<double>& area,
                 std::vector<float>& curvature) {
   std::vector<double> sum(curvature.size(), 0), weight(curvature.size(), 0);

@@ -14,7 +14,7 @@ struct Curvature {
   std::vector<float> triangle;  // mean of its three vertices
 };
 
-// At borders: the area-weighted mean of the inner neighbours. O(n). Throws Cancelled.
+// At borders: the area-weighted mean of the interior neighbours. O(n). Throws Cancelled.
 Curvature meanCurvature(const TriangleMesh& mesh, const Topology& topology, Job& job);
 
 }  // namespace limber

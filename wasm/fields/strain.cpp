@@ -22,8 +22,8 @@ struct RestEdges {
   double px, qx, qy;
 };
 
-// F^T F of a triangle whose rest edges have become u and v: the columns of F are u / px and (v - u qx / px) /
-// qy.
+// F^T F of a triangle whose rest edges are deformed to u and v: the columns of F are u / px and (v - u qx /
+// px) / qy.
 Symmetric2 rightCauchyGreen(const RestEdges& rest, const Vec3& u, const Vec3& v) {
   const Vec3 first = u / rest.px;
   const Vec3 second = (v - first * rest.qx) / rest.qy;
@@ -66,7 +66,7 @@ std::vector<double> combineStrain(std::span<const WeightedStrain> ordinals,
     for (const WeightedStrain& ordinal : ordinals) {
       const double weight = ordinal.weightOfComponent[componentOfTriangle[t]];
       const double strain = std::isinf(p) ? ordinal.strain[t] : std::pow(ordinal.strain[t], p);
-      if (weight == 0 || strain == 0) continue;  // either may be infinite, and the product would be no number
+      if (weight == 0 || strain == 0) continue;  // either may be infinite, and the product would be NaN
       sum = std::isinf(p) ? std::max(sum, weight * strain) : sum + weight * strain;
     }
     return std::isinf(p) ? sum : std::pow(sum, 1 / p);

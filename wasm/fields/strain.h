@@ -11,8 +11,7 @@ namespace limber {
 
 // The Frobenius norm |E|_F of the Green-Lagrange strain per triangle, E = (F^T F - I) / 2 in the tangent
 // frame of the rest triangle (paper, section 3.1, Eq. 5 with sin(theta) = 1), for the displacement shape[3 v
-// + c] times `amplitude`. 0 for a triangle without area, or with so little
-// that its strain is too large for a number. O(n).
+// + c] times `amplitude`. 0 for a triangle without area, or with so little that its strain overflows. O(n).
 std::vector<double> greenLagrangeStrain(const TriangleMesh& mesh, std::span<const float> shape,
                                         double amplitude);
 
@@ -23,7 +22,7 @@ struct WeightedStrain {
 };
 
 // sigma(T) = (sum_k w_k |E_k(T)|^p)^(1/p) per triangle (paper, Eq. 6), p in [1, infinity]. For p = infinity,
-// the largest w_k |E_k(T)|. Weights may be infinite, as those of frequencies near 0 are.
+// the largest w_k |E_k(T)|. Weights may be infinite, such as those of frequencies near 0.
 std::vector<double> combineStrain(std::span<const WeightedStrain> ordinals,
                                   std::span<const uint32_t> componentOfTriangle, double p);
 

@@ -17,12 +17,13 @@ namespace limber {
 
 namespace {
 
-constexpr double kSizeWeight = 0.0033;  // keeps triangles even, so that bending is resolved everywhere
+constexpr double kSizeWeight = 0.0033;  // makes triangles uniform, so that bending is resolved everywhere
 constexpr size_t kVerticesPerRange = 1024;
 constexpr int kGradientSteps = 4;
 constexpr double kRegularisation = 1e-9;  // of the edge tensor, relative to its trace
 
-// The pinned coarse vertices: by majority, and where a pinned vertex would otherwise have no pin next to it.
+// The pinned coarse vertices: by majority, and also if a pinned vertex would otherwise have no pin next to
+// it.
 std::vector<uint32_t> coarsePins(const Part& original, const MeshAt& at) {
   const uint32_t count = at.mesh.vertexCount();
   std::vector<uint32_t> members(count, 0), pinned(count, 0);
@@ -41,7 +42,7 @@ std::vector<uint32_t> coarsePins(const Part& original, const MeshAt& at) {
   return pins;
 }
 
-// The vertex beside v, of those that are not pinned, that is nearest to a point; kNone if all are pinned.
+// The unpinned neighbour of v that is nearest to a point; kNone if all are pinned.
 uint32_t nearestBeside(const TriangleMesh& mesh, uint32_t v, const Vec3& point,
                        const std::vector<uint32_t>& pins) {
   uint32_t nearest = kNone;
@@ -56,9 +57,9 @@ uint32_t nearestBeside(const TriangleMesh& mesh, uint32_t v, const Vec3& point,
   return nearest;
 }
 
-// Makes the pins of the copy leave as many rigid motions as those of the original. A few pins that were close
-// to each other have collapsed into one or two vertices: those beside them are pinned too. Pins on a line can
-// have left it: they go back to a vertex of the original that has become them.
+// Makes the pins of the copy leave as many rigid motions as those of the original. If a few pins that were
+// close to each other have collapsed into one or two vertices, neighbours of these are pinned too. If pins on
+// a line have left it, they are moved back to a vertex of the original that was merged into them.
 void matchRigidMotions(const Part& original, CoarsePart& coarse) {
   TriangleMesh& mesh = coarse.part.mesh;
   std::vector<uint32_t>& pins = coarse.part.pinned;
@@ -74,7 +75,7 @@ void matchRigidMotions(const Part& original, CoarsePart& coarse) {
   std::ranges::sort(pins);
 }
 
-// A vertex of a mesh and what lies around it.
+// A vertex of a mesh and its surroundings.
 struct Neighbourhood {
   uint32_t vertex;
   std::span<const uint32_t> ring;  // its neighbours
@@ -83,7 +84,7 @@ struct Neighbourhood {
 
 // The displacement gradient at a vertex, with derivatives along x, y and z as columns: least squares over its
 // neighbours in the tangent plane, while the normal rotates with the plane (Kirchhoff). The heights of
-// neighbours above the plane enter by fixed-point steps, each of which is more exact by a factor of the
+// neighbours above the plane enter by fixed-point steps, each of which reduces the error by a factor of the
 // curvature times the edge length.
 Eigen::Matrix3d gradientAt(const std::vector<Vec3>& positions,
                            const Eigen::Ref<const Eigen::VectorXd>& displacement, const Neighbourhood& at) {
@@ -98,7 +99,7 @@ Eigen::Matrix3d gradientAt(const std::vector<Vec3>& positions,
   }
   const double size = spread.trace();
   if (!(size > 0)) return Eigen::Matrix3d::Zero();
-  // The normal direction is added before inverting, so that it does not make the tensor singular.
+  // The normal direction is added before the inversion, so that the tensor is not singular.
   const Eigen::Matrix3d inverse =
       (spread + size * normal * normal.transpose() + kRegularisation * size * Eigen::Matrix3d::Identity())
           .inverse();
@@ -118,11 +119,12 @@ Eigen::Matrix3d gradientAt(const std::vector<Vec3>& positions,
   return gradient;
 }
 
-// Finds closest points on the triangles around a vertex and its neighbours. Where one of these is the hub of
-// many triangles, they are searched by a tree: each of the vertices around it would look at all of them.
+// Finds closest points on the triangles around a vertex and its neighbours. If one of these is the hub of
+// many triangles, they are searched with a tree: otherwise each of the vertices around it would test all of
+// them.
 class RingSearch {
  public:
-  // Refers to its arguments. `rings`: the neighbours of each vertex, ascending.
+  // Keeps references to its arguments. `rings`: the neighbours of each vertex, ascending.
   RingSearch(const TriangleMesh& mesh, const Topology& topology,
              const std::vector<std::vector<uint32_t>>& rings)
       : mesh_(mesh), topology_(topology), rings_(rings) {
@@ -159,7 +161,7 @@ class RingSearch {
   }
 
  private:
-  static constexpr size_t kFewTriangles = 512;  // tested one by one; an even mesh has 36
+  static constexpr size_t kFewTriangles = 512;  // tested one by one; a regular mesh has 36
 
   const TriangleMesh& mesh_;
   const Topology& topology_;

@@ -19,12 +19,12 @@ struct CoarsePart {
 };
 
 // Decimates a part evenly (quadrics with an edge-length term) to about `vertices` vertices. Topology is kept.
-// A coarse vertex is pinned if most of the vertices collapsed into it are pinned, and also if otherwise no
-// pin would be left next to it; pins leave as many rigid motions of the copy as of the original. Throws
-// Cancelled.
+// A coarse vertex is pinned if most of the vertices collapsed into it are pinned, or if otherwise no pin
+// would be left next to it. The pins leave the same number of rigid motions to the copy as to the original.
+// Throws Cancelled.
 CoarsePart coarsen(const Part& original, uint32_t vertices, Job& job);
 
-// Carries displacements of a coarse part to its original. Each vertex follows its closest point among the
+// Transfers displacements of a coarse part to its original. Each vertex follows its closest point among the
 // triangles around the coarse vertex that it was collapsed into and around that vertex's neighbours, so it
 // never jumps to another sheet of the surface. There it moves by the displacement gradients at the corners of
 // the triangle, which is exact for linear displacements and smooth across edges.
@@ -32,8 +32,8 @@ class Prolongation {
  public:
   // Keeps references to both parts.
   Prolongation(const Part& original, const CoarsePart& coarse);
-  // From phi(3 v + c, k) over the coarse vertices to the same over those of the original; pinned vertices
-  // become 0. `phi` may have further rows, which are not read. Throws Cancelled.
+  // Transfers phi(3 v + c, k) from the coarse vertices to those of the original; pinned vertices become 0.
+  // `phi` may have further rows, which are not read. Throws Cancelled.
   Eigen::MatrixXd prolong(const Eigen::MatrixXd& phi, const Job& job) const;
 
  private:

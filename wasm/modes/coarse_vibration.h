@@ -17,8 +17,8 @@ struct CoarseVibrationOptions {
   uint32_t vertices = kCoarseVertices;    // of the copy
 };
 
-// A start for VibratingShell::follow: the modes of an evenly decimated copy of the mesh, solved roughly, with
-// their shapes carried back. phi has the displacements, not the edge rotations. The diagonal of the mesh
+// A start for VibratingShell::follow: the approximate modes of an evenly decimated copy of the mesh, with
+// their shapes transferred back. phi has the displacements, not the edge rotations. The diagonal of the mesh
 // should be about 1. Throws as VibratingShell::solve.
 ModeBasis coarseVibration(const TriangleMesh& mesh, const CoarseVibrationOptions& options, Job& job);
 

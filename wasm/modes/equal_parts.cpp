@@ -10,7 +10,7 @@
 namespace limber {
 namespace {
 
-// Of what equal parts share to the bit.
+// A hash of the data that is bit-identical for equal parts.
 uint64_t hashOf(const Part& part) {
   uint64_t hash = 0x9e3779b97f4a7c15u + static_cast<uint64_t>(part.model);
   const auto add = [&](uint64_t word) {
@@ -42,9 +42,10 @@ std::vector<size_t> firstEqualParts(const TriangleMesh& body, const std::vector<
   double farthest = 0;
   for (const Vec3& p : body.positions)
     farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  // A coordinate is off by half a step of float32, the corner of the box that the frame starts at too.
+  // A coordinate is off by up to half a float32 step, and so is the corner of the box at which the frame
+  // starts.
   const double tolerance = 2 * std::numeric_limits<float>::epsilon() * farthest;
-  // Among thousands of leaves, say, all have the same triangles, but few have diagonals that are as near.
+  // Of thousands of leaves, say, all have the same triangles, but few have diagonals that are equally close.
   std::multimap<std::pair<uint64_t, double>, size_t> known;
   std::vector<size_t> first(parts.size());
   for (size_t i = 0; i < parts.size(); ++i) {

@@ -15,7 +15,7 @@ namespace limber {
 
 namespace {
 
-// Whether modes only guide, so that a rank of strain for each triangle is all that comes of them.
+// Whether modes only guide, so that only the strain rank of each triangle is derived from them.
 bool guidesAlone(const ModesOptions& options) {
   return options.guidedParts > 0;
 }
@@ -39,7 +39,7 @@ PartModes solveOne(const Part& part, const ModesOptions& options, bool exact, Jo
   return isLarge && !exact ? solveCoarsely(part, options, job) : solvePart(part, options, job);
 }
 
-// As `solveOne`, but for guidance alone a part that cannot be solved has no modes, and says why.
+// As `solveOne`, but if modes only guide, a part that cannot be solved has no modes and records the reason.
 PartModes solveOrSkip(const Part& part, const ModesOptions& options, bool exact, Job& job) {
   if (!guidesAlone(options)) return solveOne(part, options, exact, job);
   try {
@@ -53,7 +53,7 @@ PartModes solveOrSkip(const Part& part, const ModesOptions& options, bool exact,
   }
 }
 
-// A part, and where its modes go.
+// A part and the destination of its modes.
 struct PartTask {
   const Part& part;
   PartModes& modes;

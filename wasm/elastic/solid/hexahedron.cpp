@@ -7,8 +7,8 @@ namespace limber {
 
 namespace {
 
-// The least stiffness of a bubble, relative to that in a full cell: a sliver may leave a bubble without any
-// strain.
+// The smallest stiffness of a bubble, relative to that in a full cell: in a sliver a bubble may have no
+// strain at all.
 constexpr double kBubbleFloor = 1e-12;
 
 Vec3 pointAt(int q) {
@@ -92,7 +92,7 @@ std::array<double, 8> Hexahedron::mass(const CellMeasure& measure) const {
     const auto shape = trilinearWeights(pointAt(q));
     for (int k = 0; k < 8; ++k) mass[k] += volume_ * measure[q] * shape[k];
   }
-  for (double& m : mass) m = std::max(m, 0.0);  // rounding may leave less
+  for (double& m : mass) m = std::max(m, 0.0);  // rounding may make it negative
   return mass;
 }
 

@@ -18,7 +18,7 @@ double signedVolume(const TriangleMesh& mesh) {
   return volume;
 }
 
-// Per sample: the integrals of the Lagrange polynomials over its share of the cell.
+// Per sample: the integrals of the Lagrange polynomials over its part of the cell.
 std::array<std::array<double, 3>, kSamples> integralsOfShares() {
   std::array<std::array<double, 3>, kSamples> shares;
   for (int s = 0; s < kSamples; ++s) {
@@ -29,18 +29,18 @@ std::array<std::array<double, 3>, kSamples> integralsOfShares() {
   return shares;
 }
 
-// The share of a cell's cross-section that one ray stands for, times a linear weight that is 1 on one side of
-// the cell (0: the low side) and 0 on the other.
+// The fraction of a cell's cross-section that one ray represents, times a linear weight that is 1 on one side
+// of the cell (0: the low side) and 0 on the other.
 double rayShare(int side, int sample) {
   const double position = (sample + 0.5) / kSamples;
   return (side ? position : 1 - position) / kSamples;
 }
 
-// A cell filled less than this contains only a side of the body that happens to lie in a side of cells.
+// A cell filled less than this contains only a side of the body that happens to coincide with cell faces.
 constexpr double kHardly = 1e-3;
 
 // The measure of a sliver replaces that of the lattice's rays if it is within these factors of it. Otherwise
-// the piece has a fold or is thick, which its own rays misjudge.
+// the piece has a fold or is thick, and its own rays measure it wrongly.
 constexpr double kSliverLeast = 0.4, kSliverMost = 2.5;
 
 class Builder {
@@ -95,8 +95,7 @@ class Builder {
     pieces.numberCopies();
   }
 
-  // Joins around vertices too, because a surface may touch itself in a vertex alone and is still one
-  // component.
+  // Also joins around vertices, because a component may be connected only at a vertex.
   void joinAroundVertices(LatticePieces& pieces) {
     std::vector<uint32_t> first(body_.vertexCount(), kNone);
     for (uint32_t t = 0; t < body_.triangleCount(); ++t)
@@ -127,8 +126,8 @@ class Builder {
     }
   }
 
-  // Joins copies along the rays and measures how they are filled. The three families measure the same inside,
-  // so each counts a third.
+  // Joins copies along the rays and measures how they are filled. The three families measure the same volume,
+  // so each is weighted by a third.
   void followRays(const LatticePieces& pieces, const RayFamily& family) {
     static const auto shares = integralsOfShares();
     const int axis = family.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -178,7 +177,7 @@ class Builder {
     }
   }
 
-  // Merges copies that no ray connects with the rest into the fullest copy of their cell. They are the
+  // Merges copies that no ray connects to the rest into the fullest copy of their cell. They come from the
   // surfaces of cavities so small that they lie between the rays.
   void attachLooseCopies(const LatticePieces& pieces) {
     std::vector<uint64_t> segments(pieces.copyCount(), 0);
@@ -205,7 +204,7 @@ class Builder {
     std::vector<uint32_t>& nodes = lattice_.copyNodes;
     nodes.assign(8 * size_t{copyCount}, kNone);
     for (uint32_t corner = 0; corner < nodes.size(); ++corner) {
-      const uint32_t root = corners_.rootOf(corner);  // the smallest of its set: it was seen before
+      const uint32_t root = corners_.rootOf(corner);  // the smallest of its set, already visited
       nodes[corner] = root == corner ? lattice_.nodeCount++ : nodes[root];
     }
   }

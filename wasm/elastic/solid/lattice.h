@@ -10,19 +10,19 @@
 
 namespace limber {
 
-// The inside of a closed surface as cells of a regular lattice. A cell with several pieces of the inside that
-// are not connected within it exists once for each piece, as copies, so that close limbs do not fuse. Copies
-// in neighbouring cells share the nodes of their common side if their pieces are connected through it. Every
+// The inside of a closed surface as cells of a regular lattice. If a cell contains several disconnected
+// pieces of the inside, it has one copy for each piece, so that close limbs do not fuse. Copies in
+// neighbouring cells share the nodes of their common face if their pieces are connected through it. Every
 // cell that the surface touches has at least one copy, however thin the body is there.
 struct Lattice {
   LatticeGrid grid;
-  std::vector<uint32_t> cells;      // per copy: its cell of the grid
+  std::vector<uint32_t> cells;      // per copy: its cell in the grid
   std::vector<uint32_t> copyNodes;  // [8 * copy + corner], corners as in `trilinearWeights`
   std::vector<CellMeasure> filled;  // per copy
-  // Per copy, [4 * axis + lateral]: the share of the cell's cross-section in which the body ends on the far
-  // side of the axis, minus the share in which it ends on the near side. `lateral` counts the four edges of
-  // the cell along the axis, by whose bilinear weights the shares are split: its side along axis + 1, plus
-  // twice that along axis + 2.
+  // Per copy, [4 * axis + lateral]: the fraction of the cell's cross-section in which the body ends towards
+  // the positive end of the axis, minus the fraction in which it ends towards the negative end. `lateral` is
+  // the index of one of the four edges of the cell along the axis, among which the fractions are split by
+  // bilinear weights: its side (0 or 1) along axis + 1, plus twice that along axis + 2.
   std::vector<std::array<double, 12>> ends;
   uint32_t nodeCount = 0;
   std::vector<Vec3> points;            // the vertices of the body in lattice units

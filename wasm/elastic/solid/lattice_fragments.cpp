@@ -16,8 +16,8 @@ struct Polygon {
   void add(const Vec3& p) { corners[size++] = p; }
 };
 
-// Returns the part of the polygon below the plane and leaves the rest. Both get the same cut points, so that
-// they stay joined to the last bit.
+// Returns the part of the polygon below the plane; the argument becomes the rest. Both get the same cut
+// points, so that they match to the last bit.
 Polygon cutBelow(Polygon& polygon, int axis, double plane) {
   Polygon below, above;
   for (int i = 0; i < polygon.size; ++i) {

@@ -9,8 +9,8 @@
 namespace limber {
 
 // The triangles of a surface, cut into one fragment for each lattice cell that they pass through. Triangles
-// and cells are convex, so two fragments of a triangle in cells with a common side are connected through that
-// side.
+// and cells are convex, so two fragments of a triangle in cells with a common face are connected through that
+// face.
 struct Fragments {
   std::vector<uint32_t>
       start;                   // triangle t has the fragments start[t] .. start[t + 1) - 1, by ascending cell

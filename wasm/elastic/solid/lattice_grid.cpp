@@ -13,8 +13,8 @@ constexpr double kCoarsening = 1.1;     // factor on the side of a cell until th
 constexpr double kSmallestSide = 1e-4;  // of a cell, of the bounding diagonal
 constexpr int kBisections = 60;
 
-// An estimate of the cells that contain a part of a body. Averaged over all directions a plane cuts 1.5 cells
-// per square of the side of a cell, and half of these lie mostly outside.
+// An estimate of the cells that contain a part of a body. Averaged over all directions, a plane cuts 1.5
+// cells per squared cell side of its area, and half of these lie mostly outside.
 constexpr double kCellsOfSurface = 0.75;
 double filledCells(double volume, double area, double side) {
   return volume / (side * side * side) + kCellsOfSurface * area / (side * side);
@@ -60,7 +60,7 @@ LatticeGrid latticeGrid(const TriangleMesh& body, const Vec3& cellSize) {
       const double count = std::min(size[axis] / (factor * cellSize[axis]), kMostCells);
       grid.count[axis] = std::max(1, static_cast<int>(std::lround(count)));
     }
-    // The product of the counts can be more than a size_t holds.
+    // The product of the counts can exceed the range of size_t.
     if (1.0 * grid.count[0] * grid.count[1] * grid.count[2] <= kMostCells) break;
   }
   for (int axis = 0; axis < 3; ++axis) {

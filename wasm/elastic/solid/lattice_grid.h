@@ -35,11 +35,11 @@ struct LatticeGrid {
 };
 
 // A grid that divides the bounding box evenly into cells of which about `targetCells` contain a part of the
-// body. The box is larger than the body by a millionth of a cell, unevenly, so that no side of the body and
-// no plane of symmetry lies in a side of cells.
+// body. The box is larger than the body by a millionth of a cell, asymmetrically, so that no side of the body
+// and no plane of symmetry coincides with cell faces.
 LatticeGrid latticeGrid(const TriangleMesh& body, uint32_t targetCells);
-// The same with cells that are as close to `cellSize` as an even division of the box allows. Given the size
-// of another grid, a body with nearly the same box gets as many cells along each axis.
+// The same with cells that are as close to `cellSize` as an even division of the box allows. Given the cell
+// size of another grid, a body with nearly the same box gets the same number of cells along each axis.
 LatticeGrid latticeGrid(const TriangleMesh& body, const Vec3& cellSize);
 
 // A closed surface within its lattice.

@@ -22,7 +22,7 @@ uint32_t cellCorner(uint32_t axis, uint32_t lateral, uint32_t side) {
 }
 
 // The neighbours of each node along each axis, [6 * node + 2 * axis + side], or kNone. Where copies branch
-// there may be several: then that of the first copy.
+// there may be several; the one of the first copy is used.
 std::vector<uint32_t> findNeighbours(const Lattice& lattice) {
   std::vector<uint32_t> neighbours(6 * size_t{lattice.nodeCount}, kNone);
   for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy)
@@ -41,9 +41,9 @@ class MovableMass {
   MovableMass(std::vector<double> mass, const Lattice& lattice)
       : mass_(std::move(mass)), before_(mass_), neighbours_(findNeighbours(lattice)) {}
 
-  // Moves `wanted` from a node to its neighbour in a direction (2 * axis + side), and what the node cannot
-  // give from that neighbour to the next one, which changes the moment by as much. Nodes with hardly any mass
-  // get no more, because they may not have any stiffness either.
+  // Moves the mass `wanted` from a node to its neighbour in a direction (2 * axis + side). If the node has
+  // too little, the rest is moved from that neighbour to the next one, which changes the moment by the same
+  // amount. Nodes with hardly any mass get none, because they may have hardly any stiffness either.
   void moveInwards(uint32_t node, uint32_t direction, double wanted) {
     for (int attempt = 0; attempt < 2; ++attempt) {
       const uint32_t next = neighbours_[6 * size_t{node} + direction];

@@ -8,7 +8,7 @@ namespace {
 
 constexpr uint32_t kSamplesPerCell = kSamples * kSamples * kSamples;
 
-// Whether the segment passes through the cell at `position`, in doubt yes.
+// Whether the segment passes through the cell at `position`; true in doubt.
 bool runsThrough(const Vec3& from, const Vec3& to, const std::array<int, 3>& position) {
   constexpr double slack = 1e-12;
   double begin = 0, end = 1;

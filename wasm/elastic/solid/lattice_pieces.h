@@ -10,7 +10,7 @@
 
 namespace limber {
 
-// The part of a ray's interval within one cell.
+// The part of an interval of a ray within one cell.
 struct RaySegment {
   uint32_t cell;
   std::array<int, 3> sample;  // the ray's samples within the cell; the entry of its own axis is unused
@@ -32,7 +32,7 @@ class LatticePieces {
   // runs.
   void joinAlongEdge(uint32_t triangleA, uint32_t triangleB, const Vec3& from, const Vec3& to);
   void joinAlongRays(const RayFamily& family);
-  // Call it after all joins. Copies are numbered by cell, then by their first item.
+  // Must be called after all joins. Copies are numbered by cell, then by their first item.
   void numberCopies();
 
   uint32_t copyCount() const { return static_cast<uint32_t>(cellOfCopy_.size()); }
@@ -40,7 +40,7 @@ class LatticePieces {
   const std::vector<uint32_t>& cellsOfCopies() const { return cellOfCopy_; }
   uint32_t cellOfCopy(uint32_t copy) const { return cellOfCopy_[copy]; }
   uint32_t copyOfFragment(uint32_t fragment) const { return copyOfItem_[fragmentItem_ + fragment]; }
-  // The copy that a segment passes through, or kNone if the segment is too short to tell.
+  // The copy that a segment passes through, or kNone if the segment is too short to contain an item.
   uint32_t copyOf(const RayFamily& family, const RaySegment& segment) const;
 
   // Calls visit(segment) for each cell that each interval of a family passes through, ray by ray.

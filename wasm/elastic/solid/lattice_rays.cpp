@@ -11,14 +11,14 @@ namespace {
 
 constexpr uint32_t kCheckInterval = 4096;  // triangles between two checks for cancellation
 
-// The side of an edge on which a line passes, seen along the line.
+// The side of an edge on which a line passes, as seen along the line.
 struct EdgeSide {
   double area;    // twice that of the triangle (from, to, line)
   bool isInside;  // the line passes to the left
 };
 
 // Computed with the lower vertex first, so that both triangles of an edge agree. A line through the edge
-// counts to one side.
+// counts as on one side.
 EdgeSide sideOf(const std::vector<Vec3>& points, uint32_t from, uint32_t to, const AxisLine& line) {
   const auto [axis, u, v] = line;
   const int axisU = (axis + 1) % 3, axisV = (axis + 2) % 3;
@@ -101,8 +101,8 @@ std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triang
     high = std::max(high, corner);
   }
   depth = total != 0 ? std::clamp(depth / total, low, high) : low;
-  // The normal of a triangle that winds to the left around the line points along the line, so the line leaves
-  // there.
+  // If a triangle winds counter-clockwise around the line, its normal points along the line, so the line
+  // exits there.
   return LineHit{depth, !sides[0].isInside};
 }
 

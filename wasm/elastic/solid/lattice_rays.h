@@ -12,8 +12,8 @@ namespace limber {
 // Sample points per cell along each axis. The rays along all three axes pass through them.
 inline constexpr int kSamples = 6;
 
-// The position of sample s along an axis of a cell, in [0, 1]: in the middle of its share of the cell, up to
-// an offset that keeps rays away from the planes of symmetry of a body.
+// The position of sample s along an axis of a cell, in [0, 1]: the middle of its part of the cell, plus an
+// offset that keeps rays off the planes of symmetry of a body.
 inline double samplePosition(int axis, int s) {
   constexpr double offset[3] = {1.7320508e-4, 2.2360680e-4, -1.4142136e-4};
   return (s + 0.5) / kSamples + offset[axis];
@@ -29,8 +29,8 @@ struct LineHit {
   double depth;  // the coordinate along the axis
   bool isEntry;  // the line runs against the normal of the triangle
 };
-// The point where a line crosses a triangle, if it does. Two triangles with a common edge agree to the last
-// bit on which of them the line crosses, so a closed surface has no cracks.
+// The point where a line crosses a triangle, if it does. For two triangles with a common edge the decision
+// which of them the line crosses is consistent to the last bit, so a closed surface has no cracks.
 std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triangle& triangle,
                                    const AxisLine& line);
 
@@ -53,7 +53,7 @@ struct RayFamily {
   std::vector<Interval> intervals;
 };
 
-// Casts the rays along `axis`. They are inside of the surface where the winding number times its sign is
+// Casts the rays along `axis`. They are inside the surface where the winding number times its sign is
 // positive. Rays whose winding number does not return to 0 pass through a hole and are dropped. Throws
 // Cancelled.
 RayFamily castRays(const LatticeSurface& surface, int axis, Job& job);

@@ -44,8 +44,8 @@ Bounds boxOf(const std::vector<std::vector<Vec3>>& polygons) {
 }
 
 // Whether the polygons face away from each other. By the divergence theorem the sum along an axis is six
-// times the volume between them, if the piece does not end on a side of the cell across that axis.
-// `byOneAxis`: one positive sum suffices; otherwise the total of the three counts.
+// times the volume between them, if the piece does not end on a cell face across that axis. `byOneAxis`: one
+// positive sum suffices; otherwise the total of the three is used.
 bool isFacingOut(const std::vector<std::vector<Vec3>>& polygons, const Vec3& centre, int sign,
                  bool byOneAxis) {
   Vec3 volume;
@@ -115,8 +115,8 @@ class Rays {
       }
   }
 
-  // A ray that leaves before it enters was inside already at the side of the cell. A ray that enters and does
-  // not leave stays inside beyond the cell. `hits`: all of one ray, in order.
+  // A ray that exits before it enters was already inside at the cell face. A ray that enters and does not
+  // exit stays inside beyond the cell. `hits`: all hits of one ray, in order.
   void addRay(std::span<const RayHit> hits, CellMeasure& measure) const {
     const int a = hits.front().ray / kRays, b = hits.front().ray % kRays;
     const auto step = [&](const RayHit& at) {

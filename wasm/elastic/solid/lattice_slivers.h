@@ -16,11 +16,11 @@ struct Sliver {
   bool isMet;                           // whether a ray of the lattice passes through it
 };
 
-// Measures how a piece that is too thin for the rays of the lattice fills its cell, with rays of its own,
-// spread evenly over the bounding box of its surface. These rays see nothing but the triangles of the piece
-// within the cell: a ray that stays inside from one side of the cell to the other finds nothing. Of the three
-// directions the one that finds most counts. Exact for struts and plates along the axes. Zero if the surface
-// faces inwards along all axes, as folds do that are inside out.
+// Measures how a piece that is too thin for the rays of the lattice fills its cell, with additional rays
+// spread evenly over the bounding box of its surface. These rays are tested only against the triangles of the
+// piece within the cell: a ray that stays inside the body from one side of the cell to the other finds
+// nothing. The direction that finds the largest volume is used. Exact for struts and plates along the axes.
+// Zero if the surface faces inwards along all axes, as inside-out folds do.
 CellMeasure measureSliver(const Sliver& sliver);
 
 }  // namespace limber

@@ -10,10 +10,10 @@ namespace limber {
 
 namespace {
 
-// Stiffness without mass that is added to a cell, relative to a full cell. The first kind goes to every cell,
-// so that empty parts do not leave nodes loose. The second goes to cells filled up to kSliver, times their
-// filled share, so that the mass of a sliver does not hang on next to no stiffness. It makes a strut of a
-// tenth of a cell stiffer by a tenth, one of a third by a hundredth.
+// Stiffness without mass that is added to a cell, relative to a full cell. The first kind is added to every
+// cell, so that no node in empty parts is without stiffness. The second is added to cells filled up to
+// kSliver, times their filled fraction, so that the mass of a sliver does not depend on almost no stiffness.
+// It makes a strut of a tenth of a cell stiffer by a tenth, one of a third by a hundredth.
 constexpr double kEmptyStiffness = 1e-7, kStiffnessOfMass = 1e-3;
 constexpr double kSliver = 0.5;
 constexpr uint32_t kCheckInterval = 256;  // cells between two checks for cancellation
@@ -25,8 +25,9 @@ CellMeasure fullCell() {
   return full;
 }
 
-// A node lighter than this, relative to the heaviest node of its cells, loses its mass to all others: it
-// carries a sliver at the rim of the body, which follows its neighbours and must not vibrate on its own.
+// The mass of a node lighter than this, relative to the heaviest node of its cells, is distributed to all
+// others: the node belongs to a sliver at the rim of the body, which follows its neighbours and must not
+// vibrate on its own.
 constexpr double kLightest = 0.01;
 
 void dropLightMasses(const Lattice& lattice, std::vector<double>& mass) {

@@ -26,13 +26,13 @@ struct SolidOptions {
 
 // Stiffness and mass of a closed, oriented body: linear isotropic elasticity on partially filled bricks
 // (finite cell method; hexahedron.h). `body` may have any number of outer surfaces and of cavities, which are
-// wound the other way. All vertices must be used. Thin parts keep their own stiffness and mass, whatever the
+// wound the other way. All vertices must be used. Thin parts keep their true stiffness and mass, whatever the
 // size of the cells. Each connected part has six rigid motions. O(n log n) in the triangles and the samples
 // of filled cells. Throws Cancelled.
 SolidModel solidModel(const TriangleMesh& body, const SolidOptions& options, Job& job);
 
-// How the cell of a lattice is filled as far as its stiffness goes: a little stiffness is added where there
-// is next to none (solid.cpp).
+// The measure of a lattice cell that its stiffness is computed from: a nearly empty cell gets a little
+// additional filling (solid.cpp).
 CellMeasure stiffnessMeasure(const CellMeasure& filled);
 
 }  // namespace limber

@@ -18,7 +18,7 @@ struct FoldedHinge {
   double angle() const { return std::atan2(dot(cross(first, second), normalized(edge)), dot(first, second)); }
 };
 
-// Height over longest edge of the triangle of an edge, a corner and twice its area.
+// Height over longest edge of a triangle, from an edge, the opposite corner and twice the area.
 double flatness(const Vec3& edge, const Vec3& toCorner, double doubleArea) {
   const double longest =
       std::max({squaredLength(edge), squaredLength(toCorner), squaredLength(toCorner - edge)});

@@ -13,14 +13,14 @@ namespace limber {
 //
 // theta is the signed angle between the normals (x1 - x0) x (x2 - x0) and (x3 - x0) x (x1 - x0), so that the
 // winding of the triangles in the mesh does not matter; theta - theta0 is taken between -pi and pi. Its
-// gradients are those of Bridson et al. 2003 (Simulation of Clothing with Folds and Wrinkles): by the
-// opposite corners -(l/|n|^2) n, by the ends of the edge the barycentric shares of both.
+// gradients are those of Bridson et al. 2003 (Simulation of Clothing with Folds and Wrinkles): -(l/|n|^2) n
+// with respect to the opposite corners, and their barycentric shares with respect to the ends of the edge.
 //
-// The stiffness against moving a corner of a flat triangle grows with the inverse square of its height. So
-// where the height of a triangle at rest is less than kFlattestTriangle of its longest edge, k is lowered
-// until that stiffness is what it would be there; a hinge with a triangle of no area at rest has no
-// stiffness. Where a triangle loses its area in motion, its normal and the derivatives by its opposite corner
-// are 0.
+// The stiffness against moving a corner of a flat triangle grows with the inverse square of its height. So if
+// the height of a triangle at rest is less than kFlattestTriangle times its longest edge, k is lowered to
+// give the stiffness at that height; a hinge with a triangle of zero area at rest has no stiffness. If a
+// triangle loses its area in motion, its normal and the derivatives with respect to its opposite corner are
+// 0.
 class HingeElement {
  public:
   // `element`: HingeByArea, HingeByLength or Hinge; `bend` its constant in SI units, see BendElement, >= 0.

@@ -26,7 +26,7 @@ MembraneElement::MembraneElement(double shear, double second, const std::array<V
 
 Eigen::Matrix<double, 3, 2> MembraneElement::deformationAt(const std::array<Vec3, 3>& positions) const {
   Eigen::Matrix<double, 3, 2> f = Eigen::Matrix<double, 3, 2>::Zero();
-  // Relative to the first vertex, for positions far from the origin lose digits.
+  // Relative to the first vertex, because positions far from the origin lose digits.
   for (int c = 1; c < 3; ++c) f += eigen(positions[c] - positions[0]) * gradients_.col(c).transpose();
   return f;
 }

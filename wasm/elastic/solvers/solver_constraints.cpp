@@ -29,7 +29,7 @@ void requireConstants(const SolverModel& model, const SolverConstants& constants
                     constants.secondStretch, "of at least minus the shear modulus");
 }
 
-// The corner of triangle t that is not on the edge; none where the triangle has no such corner.
+// The corner of triangle t that is not on the edge; none if the triangle has no such corner.
 std::optional<uint32_t> cornerOpposite(const TriangleMesh& mesh, uint32_t t, const Topology::Edge& edge) {
   for (const uint32_t v : mesh.triangles[t])
     if (v != edge.a && v != edge.b) return v;

@@ -16,7 +16,7 @@ namespace limber {
 
 enum class ConstraintKind : uint8_t { Stretch = 0, Bend = 1 };
 
-// One constraint of a solver: which vertices it couples.
+// One constraint of a solver: the vertices that it couples.
 struct SolverConstraint {
   ConstraintKind kind = ConstraintKind::Stretch;
   uint8_t rows = 1;         // components of its strain: 3 for a CST, else 1
@@ -24,12 +24,12 @@ struct SolverConstraint {
   std::array<uint32_t, 4> vertices{};
 };
 
-// All constraints of a solver on one mesh, for every model without Morley's element. At rest every strain is
+// All constraints of a solver on one mesh, for all models without Morley's element. At rest every strain is
 // 0, and K = sum_c J_c^T J_c is the exact stiffness.
 //
 // Order: stretch constraints first (triangles by index, or edges in the order of Topology::edges), then
-// bending constraints by the order of their edges. An edge bends if it has exactly two triangles, and if
-// these are not the two sides of one triangle. Triangles without area, or next to none, have the bounded
+// bending constraints by the order of their edges. An edge has a bending constraint if it has exactly two
+// triangles with different opposite corners. Triangles without area, or next to none, have the bounded
 // stiffness that MembraneElement and HingeElement describe.
 class SolverConstraints {
  public:
@@ -43,10 +43,10 @@ class SolverConstraints {
 
   // `positions`: of all vertices, in metres.
   ConstraintStrain strainAt(uint32_t c, std::span<const Vec3> positions) const;
-  // What stress adds to the Gauss-Newton matrix J^T J of the second derivative of the energy: block (k, l),
-  // by the k-th and the l-th vertex, is entry (k, l) times the identity. For a membrane and all stress it is
-  // exact, for a spring exact across its direction; for a hinge it is left out. Of tension alone it is
-  // positive semidefinite. N/m.
+  // The contribution of stress to the second derivative of the energy, in addition to the Gauss-Newton matrix
+  // J^T J: block (k, l), for the k-th and the l-th vertex, is entry (k, l) times the identity. With all
+  // stress it is exact for a membrane, and for a spring exact across its direction; for a hinge it is
+  // omitted. With tension only it is positive semidefinite. N/m.
   Eigen::Matrix4d stressStiffnessAt(uint32_t c, std::span<const Vec3> positions, StressKind kind) const;
   // 1/2 |strain|^2 in joules.
   double energyAt(uint32_t c, std::span<const Vec3> positions) const;
@@ -69,8 +69,8 @@ class SolverConstraints {
   uint32_t stretchCount_ = 0;
 };
 
-// Masses of all vertices in kg, all above 0; their sum is surfaceDensity times the area. By area, a vertex
-// whose triangles have next to no area has the least mass of `lumpedAreas`.
+// Masses of all vertices in kg, all above 0; their sum is surfaceDensity times the area. With MassRule::Area,
+// a vertex whose triangles have almost no area gets the minimum mass of `lumpedAreas`.
 std::vector<double> solverMasses(const TriangleMesh& mesh, MassRule rule, const SolverConstants& constants);
 
 }  // namespace limber

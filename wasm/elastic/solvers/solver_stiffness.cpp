@@ -43,7 +43,7 @@ TriangleMesh inMetres(const TriangleMesh& mesh, double unit) {
   return scaled;
 }
 
-// The model whose stretch constraints are wanted, with any bending element but Morley's.
+// The model with its bending element replaced if it is Morley's, to get the stretch constraints.
 SolverModel withoutMorley(SolverModel model) {
   if (model.bend == BendElement::Morley) model.bend = BendElement::Hinge;
   return model;

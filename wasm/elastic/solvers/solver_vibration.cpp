@@ -21,10 +21,10 @@ constexpr double kFloatRounding = std::numeric_limits<float>::epsilon() / 2;
 constexpr double kLeastBendShare = 1e-6;  // of the eigenvalue with all constraints, in the rough estimate
 constexpr int kRoughSteps = 3;            // of inverse iteration, at most, for that estimate
 constexpr double kCloseToShift = 0.25;    // an estimate above this times the shift is good enough
-constexpr double kManyRoundings = 100;    // errors of a search for modes over those of one sum of forces
+constexpr double kManyRoundings = 100;    // rounding errors of a mode search over those of one sum of forces
 constexpr double kDoubleRounding = std::numeric_limits<double>::epsilon() / 2;
 
-// All polynomials of degree 2 as displacements along each axis: 3 v + c, by 30.
+// All polynomials of degree up to 2 as displacements along each axis: a matrix (3 v + c) x 30.
 Eigen::MatrixXd quadraticMotions(const TriangleMesh& mesh, Eigen::Index unknownCount) {
   const Bounds box = bounds(mesh);
   const Vec3 middle = 0.5 * (box.low + box.high);
@@ -41,8 +41,8 @@ Eigen::MatrixXd quadraticMotions(const TriangleMesh& mesh, Eigen::Index unknownC
   return motions;
 }
 
-// The first eigenvalue beyond `zeros` of the pencil within the span of columns. Directions of next to no mass
-// are left out.
+// The first eigenvalue after `zeros` zero ones of the pencil within the span of columns. Directions with
+// almost no mass are ignored.
 double ritzValue(const SparsePencil& pencil, const Eigen::MatrixXd& span, int zeros) {
   const Eigen::MatrixXd stiffness = span.transpose() * (pencil.k * span);
   const Eigen::MatrixXd mass = span.transpose() * (pencil.m.asDiagonal() * span);
@@ -58,8 +58,8 @@ double ritzValue(const SparsePencil& pencil, const Eigen::MatrixXd& span, int ze
   return values.size() > zeros ? values[zeros] : values[values.size() - 1];
 }
 
-// An eigenvalue above those that rounding gives to motions without any resistance: where forces cancel, their
-// sum keeps the rounding of each.
+// An upper bound on the eigenvalues that rounding gives to motions without resistance: where forces cancel,
+// the rounding error of each remains in the sum.
 double eigenvalueOfRounding(const SparsePencil& pencil) {
   double stiffness = 0;
   for (Eigen::Index u = 0; u < pencil.m.size(); ++u)
@@ -67,14 +67,14 @@ double eigenvalueOfRounding(const SparsePencil& pencil) {
   return kManyRoundings * kDoubleRounding * stiffness / pencil.m.sum();
 }
 
-// The value, or the least one where it is smaller or not a number.
+// The value, or the smallest allowed one if it is smaller or not a number.
 double notBelow(double least, double value) {
   return value > least ? value : least;
 }
 
-// Whether bending elements join all triangles, so that rigid motions alone meet no resistance: a triangle
+// Whether bending elements join all triangles, so that only rigid motions meet no resistance: a triangle
 // keeps its shape, a hinge the angle between two of them, and Morley's element all angles about an edge.
-// Springs across an edge resist only what is not flat.
+// Springs across a flat edge do not resist bending.
 bool bendingJoinsAll(const TriangleMesh& mesh, const SolverStiffness& stiffness) {
   const uint32_t first = stiffness.stretchCount();
   if (first == stiffness.count() || stiffness[first].vertexCount == 2) return false;
@@ -165,9 +165,10 @@ double SolverVibration::roughFirstEigenvalue(Job& job) const {
   return refinedFirstEigenvalue(std::sqrt(all * notBelow(kLeastBendShare * all, bend)), motions, job);
 }
 
-// Each step of inverse iteration leaves of a motion what is not far stiffer than the shift, so that a shift
-// far too large comes down step by step. Where more than rigid motions meet no resistance, as sheets that
-// swing about the edge that they share, it comes down to them: no further than a search can tell from zero.
+// Each step of inverse iteration damps the components that are far stiffer than the shift, so that a shift
+// that is far too large comes down step by step. If more than rigid motions meet no resistance, such as
+// sheets that swing about a shared edge, it comes down to these, but no further than a search can distinguish
+// from zero.
 double SolverVibration::refinedFirstEigenvalue(double rough, Eigen::MatrixXd motions, Job& job) const {
   const SparsePencil pencil = pencilOf(std::vector<double>(setting_.stiffness.count(), 1.0));
   const double least = eigenvalueOfRounding(pencil) / kZeroRatio;

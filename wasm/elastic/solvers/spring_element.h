@@ -13,7 +13,7 @@ class SpringElement {
   // `stiffness` k in N/m, >= 0; rest positions in metres, whose distance is L.
   SpringElement(double stiffness, const std::array<Vec3, 2>& rest);
 
-  // Where both ends coincide the spring has no direction, and the derivatives are 0.
+  // If both ends coincide, the spring has no direction, and the derivatives are 0.
   ConstraintStrain strainAt(const std::array<Vec3, 2>& positions) const;
   // See SolverConstraints::stressStiffnessAt. Exact across the spring.
   Eigen::Matrix4d stressStiffnessAt(const std::array<Vec3, 2>& positions, StressKind kind) const;
