@@ -8,12 +8,11 @@
 namespace limber {
 namespace {
 
-// A direction that is left of a block is dropped where its squared length is below this part of the longest:
-// what rounding leaves of vectors that depend on the others.
+// A remaining direction of a block is dropped if its squared length is below this fraction of the longest: it
+// is the rounding error of vectors that depend linearly on the others.
 constexpr double kDependent = 1e-14;
 
-// An orthonormal basis of the columns of a block. The second pass removes what the rounding of the first
-// left.
+// An orthonormal basis of the columns of a block. The second pass removes the rounding errors of the first.
 Eigen::MatrixXd orthonormalised(Eigen::MatrixXd block) {
   for (int pass = 0; pass < 2 && block.cols() > 0; ++pass) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(transposedProduct(block, block));
@@ -48,7 +47,7 @@ class Run {
   }
 
  private:
-  // Adds a block to the basis; returns what its image has beyond that.
+  // Adds a block to the basis; returns the part of its image that is orthogonal to the basis.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& block) {
     const Eigen::Index first = size_;
     basis_.middleCols(first, block.cols()) = block;
@@ -62,8 +61,8 @@ class Run {
     return image;
   }
 
-  // Ritz pairs, the largest of the inverse first, and how far each is from an eigenpair: `rest` times its
-  // share of the last block.
+  // Ritz pairs, those with the largest eigenvalue of the inverse first, and the residual of each: `rest`
+  // times its part in the last block.
   void findPairs(const Eigen::MatrixXd& rest, Eigen::Index lastCount) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
         projected_.topLeftCorner(size_, size_).selfadjointView<Eigen::Upper>());

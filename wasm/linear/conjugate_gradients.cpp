@@ -10,8 +10,8 @@ namespace limber {
 
 namespace {
 
-// Of an inexact step of Gauss and Newton (Dembo, Eisenstat and Steihaug 1982): the next step has another
-// model, so that more digits of this one are lost. Fits come out alike from 1e-4 to 3e-2.
+// The tolerance of an inexact Gauss-Newton step (Dembo, Eisenstat and Steihaug 1982): the next step has a
+// different model, so more digits of this one would be wasted. Fits are equally good from 1e-4 to 3e-2.
 constexpr double kTolerance = 1e-2;
 constexpr int kMostSteps = 300;
 constexpr size_t kNodesPerRange = 2048;
@@ -27,7 +27,7 @@ void forNodes(size_t count, const Body& body) {
   });
 }
 
-// Solves for K columns side by side. The unknowns of a node in all columns lie together, as a 3 x K matrix.
+// Solves for K columns together. The unknowns of a node in all columns are contiguous, as a 3 x K matrix.
 template <int K>
 class Solve {
  public:
@@ -62,7 +62,7 @@ class Solve {
       conjugate(direction, residual, ratio);
       const Numbers curvature = multiply(direction, product);
       if (!((curvature > 0) || (squares <= enough)).all()) break;
-      // A column that has converged no longer changes.
+      // A column that has converged does not change.
       const Numbers length = (squares > enough).select(squares / curvature, 0);
       const Numbers next = sumOver([&](size_t node) -> Numbers {
         x[node].array() += direction[node].array().rowwise() * length;
@@ -95,7 +95,7 @@ class Solve {
     return sum;
   }
 
-  // The next direction: the preconditioned residual, conjugate to the direction before.
+  // The next direction: the preconditioned residual, conjugate to the last direction.
   void conjugate(Vector& direction, const Vector& residual, const Numbers& ratio) const {
     forNodes(direction.size(), [&](size_t node) {
       direction[node] =

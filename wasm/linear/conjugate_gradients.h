@@ -19,10 +19,10 @@ struct ShiftedMatrix {
 
 // (A + mu D)^-1 b for each column b by conjugate gradients (Hestenes and Stiefel 1952), preconditioned by the
 // diagonal blocks of the nodes, until the preconditioned residual has fallen to a hundredth of that of b or
-// after 300 steps. Every step lowers the quadratic model x^T (A + mu D) x / 2 - b^T x, so that a solution cut
-// short is one of a trust region (Steihaug 1983). Up to three columns go side by side, because reading the
-// matrix takes most of the time; each takes memory for five vectors. The result does not depend on the number
-// of threads. Throws Cancelled.
+// after 300 steps. Every step lowers the quadratic model x^T (A + mu D) x / 2 - b^T x, so that an early stop
+// gives a solution for a smaller trust region (Steihaug 1983). Up to three columns are solved together,
+// because reading the matrix takes most of the time; each takes memory for five vectors. The result does not
+// depend on the number of threads. Throws Cancelled.
 Eigen::MatrixXd conjugateGradients(const ShiftedMatrix& matrix, const Eigen::MatrixXd& b, Job& job);
 
 }  // namespace limber

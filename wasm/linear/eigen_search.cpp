@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kSafeGap = 0.01;  // relative, between eigenvalues: far more than their errors
 
-// The index of a pair, from the last wanted one on, that a relative gap follows in which a shift is safe for
-// counting eigenvalues: the first gap that is wide enough, or else the widest.
+// The index of the first pair, from the last wanted one on, that is followed by a relative gap wide enough
+// for a shift that counts eigenvalues safely; if there is none, the pair before the widest gap.
 Eigen::Index gapAfter(const EigenSearch& search, Eigen::Index lastWanted) {
   Eigen::Index best = lastWanted;
   double widest = -1;

@@ -12,17 +12,17 @@ namespace limber {
 // Pairs with a larger inverse residual must not be used.
 inline constexpr double kTrustedInverseResidual = 1e-2;
 
-// Eigenpairs as a solver returns them, and how far they are to be trusted.
+// Eigenpairs as a solver returns them, with measures of their accuracy.
 struct EigenSolution {
-  // Eigenvalues that are 0 to rounding; their vectors are not kept. Of a search from scratch all of them,
-  // however often the eigenvalue is repeated; of a refinement those that its start stands for.
+  // Eigenvalues that are 0 to rounding; their vectors are not kept. For a search from scratch all of them,
+  // with multiplicity; for a refinement those that its start represents.
   uint32_t nullity = 0;
   ModeBasis basis;  // the pairs with lambda > 0; fewer than wanted if there are no more
-  // Per pair, over all unknowns: |K phi - lambda M phi| / (lambda |M phi|). Needle elements can fill it with
-  // rounding while the pair is right: above 1e-7 the caller should warn.
+  // Per pair, over all unknowns: |K phi - lambda M phi| / (lambda |M phi|). With needle elements rounding can
+  // dominate it although the pair is accurate: above 1e-7 the caller should warn.
   std::vector<double> residual;
   // Per pair, over the unknowns with an entry in M: |phi - (lambda - sigma) (K - sigma M)^-1 M phi| / |phi|.
-  // The relative error of the eigenvalue is of the size of its square. 0 where solved densely.
+  // The relative error of the eigenvalue is of the order of its square. 0 for dense solves.
   std::vector<double> inverseResidual;
   uint64_t factorNonzeros = 0;  // of L
 

@@ -19,13 +19,14 @@ namespace limber {
 namespace {
 
 constexpr int kDenseLimit = 120;  // heavy unknowns: pencils with no more are solved densely
-constexpr int kExtraPairs = 4;    // computed beyond the wanted ones, to find a gap and catch whole clusters
+constexpr int kExtraPairs = 4;    // in addition to the wanted ones, to find a gap and complete clusters
 constexpr int kBasisBeyond = 24;  // Lanczos vectors in addition to the wanted pairs
 constexpr int kLanczosRestarts = 100;
-// Of block Lanczos in a rough search: vectors of a block, and blocks beyond two vectors for each pair.
+// For block Lanczos in a rough search: vectors of a block, and blocks in addition to two vectors for each
+// pair.
 constexpr Eigen::Index kBlockSize = 16, kBlocksBeyond = 8;
 constexpr double kLanczosTolerance = 1e-10;
-constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, where solved densely
+constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, for dense solves
 // A shift within these multiples of the first positive eigenvalue is good enough: Lanczos converges well, and
 // another shift would cost a factorisation.
 constexpr double kSmallestShift = 0.005, kLargestShift = 15;
@@ -35,11 +36,11 @@ constexpr int kLastPass = 3;           // of the search for a good shift, counte
 constexpr int kMissingAttempts = 4;    // searches for missing members of clusters
 constexpr int kMissingExtraPairs = 2;  // sought in addition to the missing ones
 constexpr double kGoodResidual = 1e-8, kGoodInverseResidual = 1e-10, kRoughInverseResidual = 1e-3;
-constexpr double kRoundedResidual = 5e-8;  // above it the residual is evaluated with more digits
+constexpr double kRoundedResidual = 5e-8;  // above this, the residual is evaluated with more digits
 constexpr int kExtendedSteps = 3;          // of iterative refinement for that
 constexpr int kRefinements = 5;
 constexpr double kSlowProgress = 0.5;  // refinement ends once a step leaves more than this part of the error
-constexpr int kBlocksOfSearch = 5;     // of vectors that live at the same time while found pairs are refined
+constexpr int kBlocksOfSearch = 5;     // of vectors, allocated at once while found pairs are refined
 
 // The operator that Spectra multiplies with: the inverted pencil, projected away from the known pairs.
 class InverseOperator {
@@ -86,9 +87,9 @@ Eigen::MatrixXd startBlock(Eigen::Index size, Eigen::Index columns) {
   return Eigen::Map<const Eigen::MatrixXd>(all.data(), size, columns);
 }
 
-// `count` pairs of lowest lambda by block Lanczos, as exact as a rough search needs. Nothing where they do
-// not converge, where memory is short, or where all of them are zero: of a repeated zero a block finds as
-// many copies as it has vectors, and none of the pairs above.
+// `count` pairs of lowest lambda by block Lanczos, to the accuracy of a rough search. Returns nothing if they
+// do not converge, if memory is short, or if all of them are zero: of a multiple zero eigenvalue a block
+// finds as many copies as it has vectors, and none of the pairs above.
 std::optional<EigenSearch> roughSearch(const ShiftedPencil& pencil, Eigen::Index count) {
   const Eigen::Index size = pencil.heavyCount(), mostVectors = 2 * count + kBlocksBeyond * kBlockSize;
   const uint64_t memory = sizeof(double) * static_cast<uint64_t>(pencil.unknownCount()) *
@@ -120,7 +121,7 @@ EigenSearch lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, i
                    isRough ? kRoughTolerance : kLanczosTolerance);
   } catch (const Cancelled&) {
     throw;
-  } catch (const std::runtime_error&) {  // Spectra's words are about its own insides
+  } catch (const std::runtime_error&) {  // Spectra's message is about its internals
     throw NoConvergence(
         "The modes could not be computed: look for coordinates, thicknesses or material constants of wildly "
         "different size.");
@@ -129,15 +130,15 @@ EigenSearch lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, i
       {solver.eigenvalues().cwiseInverse().array() + pencil.shift(), pencil.expand(solver.eigenvectors())}};
 }
 
-// The error of a pair relative to what is good enough: at most 1 once the pair has converged.
+// The error of a pair relative to the tolerance: at most 1 once the pair has converged.
 double relativeError(const ShiftedPencil& pencil, const EigenSearch& search, Eigen::Index k, bool isRough) {
   if (isRough) return search.inverseResidual[k] / kRoughInverseResidual;
   return std::max(pencil.residual(search.lambda[k], search.phi.col(k)) / kGoodResidual,
                   search.inverseResidual[k] / kGoodInverseResidual);
 }
 
-// Iterates until the wanted pairs have converged or hardly improve any more. Pairs with known residuals are
-// those of roughSearch, which have converged, but for massless unknowns.
+// Iterates until the wanted pairs have converged or hardly improve any more. Pairs with known residuals come
+// from roughSearch and have converged, except in massless unknowns.
 void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& options) {
   const bool haveConverged = search.inverseResidual.size() == search.phi.cols();
   if (haveConverged && pencil.masslessAreZero()) return;
@@ -154,7 +155,7 @@ void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions
   }
 }
 
-// Counts by inertia the zero eigenvalues that no pair stands for. Leaves a shift between them and the others.
+// Counts by inertia the zero eigenvalues that no pair represents. Leaves a shift between them and the others.
 void countZeros(ShiftedPencil& pencil, double sigma, EigenSearch& search) {
   const Eigen::Index zeros = zeroPairs(search, sigma);
   const double limit = kZeroRatio * std::abs(sigma),
@@ -164,9 +165,9 @@ void countZeros(ShiftedPencil& pencil, double sigma, EigenSearch& search) {
 }
 
 // Adds the members of clusters that a single start vector has missed, until inertia counts no more of them.
-// An attempt looks for as many pairs as there are at most: where K is singular to rounding, inertia counts
-// hundreds that are not there, and the search for them would take hours. Zero eigenvalues are counted only:
-// a search from above them does not meet them.
+// An attempt searches for at most as many pairs as are already known: if K is singular up to rounding,
+// inertia counts hundreds that do not exist, and the search for them would take hours. Zero eigenvalues are
+// only counted: a search from above does not find them.
 void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& options) {
   const double sigma = pencil.shift();
   double searchShift = sigma;
@@ -175,7 +176,7 @@ void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& 
     const Eigen::Index lastWanted = zeroPairs(search, sigma) + options.pairCount - 1;
     const bool isShort = lastWanted + 1 >= search.lambda.size();
     int missing = isShort ? 0 : missingPairs(pencil, search, lastWanted);
-    // A few that are missing may as well be found, without another factorisation.
+    // A few missing ones can be searched without another factorisation.
     const bool areHidden = isShort || missing > options.pairCount || (missing > 0 && attempt > 0);
     if (areHidden && !areZerosCounted) {
       areZerosCounted = true;
@@ -194,8 +195,8 @@ void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& 
   }
 }
 
-// The pairs above zero eigenvalues of which there are too many for a search: with a shift between, these are
-// at the other end of the inverted spectrum. `top` is where to look for that shift from.
+// The pairs above the zero eigenvalues if there are too many zeros for a search: with a shift between both,
+// the zeros are at the other end of the inverted spectrum. The search for that shift starts at `top`.
 EigenSearch searchAbove(ShiftedPencil& pencil, Eigen::Index zeros, double top, const EigenOptions& options) {
   double shift = top;
   while (static_cast<Eigen::Index>(pencil.countBelow(shift)) > zeros && shift > kZeroRatio * top)
@@ -212,7 +213,7 @@ EigenSearch searchAbove(ShiftedPencil& pencil, Eigen::Index zeros, double top, c
   return search;
 }
 
-// The lowest pairs. Searches again with another shift until the shift suits what was found.
+// The lowest pairs. Repeats the search with another shift until the shift suits the pairs found.
 EigenSearch searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
   double sigma = -options.scale;
   int zeros = options.expectedNullity;
@@ -242,7 +243,7 @@ EigenSearch searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
 }
 
 // Replaces large residuals by those of phi with more digits: on small or thin elements the rounding of phi to
-// doubles alone fills the residual, although the pair is right.
+// doubles alone makes the residual large although the pair is accurate.
 void refineBelowRounding(ShiftedPencil& pencil, double sigma, EigenSolution& solution) {
   if (std::all_of(solution.residual.begin(), solution.residual.end(),
                   [](double r) { return r <= kRoundedResidual; }))

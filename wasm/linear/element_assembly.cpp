@@ -68,7 +68,7 @@ void ElementAssembly::reserveEntries() {
           *row++ = static_cast<int>(firstUnknown_[neighbours_[k]] + r);
 }
 
-// The nodes of an element, without the slots that it leaves empty.
+// The nodes of an element, without its unused slots.
 std::span<const uint32_t> ElementAssembly::nodesOf(uint32_t element) const {
   const std::span<const uint32_t> slots(elementNodes_.data() + size_t{element} * nodesPerElement_,
                                         nodesPerElement_);
@@ -99,7 +99,7 @@ void ElementAssembly::add(uint32_t element, const Eigen::Ref<const Eigen::Matrix
   }
 }
 
-// Each node gathers its columns from its elements in their order, so that no two threads write to the same.
+// Each node gathers its columns from its elements in order, so that no two threads write to the same column.
 Eigen::SparseMatrix<double> ElementAssembly::sum(
     const std::function<void(const Columns&, double* values)>& fill) const {
   Eigen::SparseMatrix<double> sum = sum_;

@@ -9,11 +9,11 @@
 namespace limber {
 
 // Sums element matrices into a sparse symmetric matrix whose unknowns are grouped into nodes: node i has the
-// unknowns firstUnknown[i] .. firstUnknown[i + 1) - 1. The pattern is known from the start: a full block for
+// unknowns firstUnknown[i] .. firstUnknown[i + 1) - 1. The pattern is fixed at construction: a full block for
 // each pair of nodes that share an element, zeros included.
 class ElementAssembly {
  public:
-  // Fills the last slots of an element that has fewer nodes than others.
+  // Fills the unused last slots of an element with fewer nodes.
   static constexpr uint32_t kNoNode = UINT32_MAX;
 
   // elementNodes[nodesPerElement * element + k]; no node may occur twice in one element.
@@ -24,20 +24,21 @@ class ElementAssembly {
   // is read, so the sum is symmetric to the last bit.
   void add(uint32_t element, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
-  // Some columns of an element's matrix.
+  // Receives some columns of an element's matrix.
   struct Columns {
     uint32_t element, first, count;
   };
-  // The sum of all elements and of what `add` has added so far, found on several threads and the same to the
-  // bit for any number of them. `fill` writes columns of an element's matrix, one after the other, all rows
-  // of each; it is called for each node of an element, from any thread.
+  // The sum of all elements and of everything that `add` has added so far, computed on several threads and
+  // bit-identical for any number of them. `fill` writes columns of an element's matrix, one after the other,
+  // all rows of each; it is called for each node of an element, from any thread.
   Eigen::SparseMatrix<double> sum(const std::function<void(const Columns&, double* values)>& fill) const;
 
-  // What `add` has added so far: zeros in all places of the pattern at first.
+  // The sum of everything that `add` has added so far, initially explicit zeros in all entries of the
+  // pattern.
   const Eigen::SparseMatrix<double>& sum() const { return sum_; }
 
-  // Moves the sum into an empty matrix; the assembly is empty afterwards. As a value it would be copied:
-  // sparse matrices of Eigen 3.4 cannot be moved.
+  // Moves the sum into an empty matrix; the assembly is empty afterwards. Returning it would copy it: sparse
+  // matrices of Eigen 3.4 cannot be moved.
   void take(Eigen::SparseMatrix<double>& sum) { sum.swap(sum_); }
 
  private:

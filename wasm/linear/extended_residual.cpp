@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSplit = 134217729;  // 2^27 + 1 splits a double into two halves (Veltkamp)
 
-// A sum of doubles together with what rounding has lost (Knuth's two-sum, Dekker's product).
+// A sum of doubles with its rounding error (Knuth's two-sum, Dekker's product).
 struct ExtendedSum {
   double sum = 0, lost = 0;
 
@@ -40,7 +40,7 @@ Eigen::VectorXd extendedResidual(const SparsePencil& pencil, double lambda, cons
       sum.addProduct(entry.value(), phi[entry.row()]);
       lowSum += entry.value() * low[entry.row()];
     }
-    ExtendedSum inertia;  // lambda M_ii, with what rounding has lost
+    ExtendedSum inertia;  // lambda M_ii, with its rounding error
     inertia.addProduct(lambda, pencil.m[i]);
     sum.addProduct(-inertia.sum, phi[i]);
     residual[i] = sum.sum + (sum.lost - inertia.lost * phi[i] + lowSum);

@@ -7,8 +7,8 @@
 namespace limber {
 
 // K (phi + low) - lambda M (phi + low), evaluated with twice the digits of a double and rounded once at the
-// end. A residual in plain doubles carries the rounding eps |K| |phi| of phi itself, which on small or thin
-// elements is not small against lambda |M phi|.
+// end. A residual in plain doubles contains the rounding error eps |K| |phi| of phi itself, which for small
+// or thin elements is not small compared to lambda |M phi|.
 Eigen::VectorXd extendedResidual(const SparsePencil& pencil, double lambda, const Eigen::VectorXd& phi,
                                  const Eigen::VectorXd& low);
 

@@ -10,11 +10,11 @@ namespace limber {
 
 namespace {
 
-// Subtrees with less than this share of the work become tasks of one thread: small enough to keep several
-// threads evenly busy, large enough that little work is left above the tasks.
+// Subtrees with less than this share of the work become tasks of one thread: small enough for a balanced load
+// on several threads, large enough to leave little work above the tasks.
 constexpr double kTaskShare = 1.0 / 24;
 
-// Multiplications that eliminating the pivots of a front takes.
+// Multiplications for eliminating the pivots of a front.
 double frontWork(double pivots, double boundary) {
   return pivots * (pivots * pivots / 3 + pivots * boundary + boundary * boundary);
 }
@@ -67,7 +67,7 @@ void addScratch(FactorStructure& s) {
   s.workRows += most;
 }
 
-// A task is a largest subtree with less work than the limit. In a solve its rows outside of the subtree get
+// A task is a maximal subtree with less work than the limit. In a solve its rows outside the subtree get
 // slots of their own, so that no two tasks write to the same row.
 void buildTasks(FactorStructure& s) {
   const double limit = kTaskShare * s.work();
@@ -125,7 +125,7 @@ uint64_t FactorStructure::nonzeros() const {
   return sum - storedZeros;
 }
 
-// Each thread holds at most the updates of one task, besides the updates of finished tasks that wait for
+// Each thread stores at most the updates of one task, in addition to those of finished tasks that wait for
 // their parents.
 uint64_t FactorStructure::memory() const {
   const auto updateBytes = [&](uint32_t f) {

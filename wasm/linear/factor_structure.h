@@ -8,12 +8,12 @@
 
 namespace limber {
 
-// The symbolic factorisation: elimination order, fronts and tasks. It depends on the pattern of K alone, so
-// all pencils with the same nodes and couplings share it, whatever their values.
+// The symbolic factorisation: elimination order, fronts and tasks. It only depends on the pattern of K, so
+// all pencils with the same nodes and couplings can share it.
 struct FactorStructure {
   // A supernode: pivots that are eliminated together as one dense block. Its rows are the pivots followed by
-  // the boundary, that is the later positions coupled to them. Its columns of L are a rows() x pivotCount
-  // matrix, column by column, from firstValue on.
+  // the boundary: the later positions coupled to them. Its columns of L are a rows() x pivotCount matrix,
+  // column by column, from firstValue on.
   struct Front {
     uint32_t firstPivot, pivotCount;   // positions firstPivot .. firstPivot + pivotCount - 1
     uint32_t firstRow, boundaryCount;  // its part of `boundary` and `slot`
@@ -40,13 +40,12 @@ struct FactorStructure {
   // Rows of a solve's work vector: the unknowns, then the tasks' slots up to `slotCount`, then scratch rows
   // for the boundary of one front of each task, and of one above all tasks.
   uint32_t slotCount = 0, topScratch = 0, workRows = 0;
-  uint64_t valueCount = 0;   // doubles that L takes, which may be more than a size_t of wasm holds
-  uint64_t storedZeros = 0;  // of these, zeros that merging fronts has filled in
+  uint64_t valueCount = 0;   // doubles that L takes, which may exceed the range of size_t in wasm
+  uint64_t storedZeros = 0;  // of these, zeros added by merging fronts
 
   // Entries of L on and below the diagonal, without the stored zeros.
   uint64_t nonzeros() const;
-  // Bytes that a factorisation takes at its peak besides the pencil: L, and the updates that wait for their
-  // parents.
+  // Peak bytes of a factorisation without the pencil: L, and the updates that wait for their parents.
   uint64_t memory() const;
   // Multiplications of one factorisation, approximately.
   double work() const;

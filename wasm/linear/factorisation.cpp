@@ -24,8 +24,8 @@ using RowsOfMany = Eigen::Map<AllRowsOfMany, 0, Eigen::OuterStride<>>;  // some 
 
 constexpr Eigen::Index kLeastColumns = 16;  // right-hand sides that one thread solves for at the top
 
-// Calls `solve` with the columns of y, several threads each with some of them. Every column is solved alike
-// whatever is beside it.
+// Calls `solve` with the columns of y, divided among several threads. The result of a column does not depend
+// on the other columns.
 template <class Solve>
 void forEachPart(RowsOfOne& y, const Solve& solve) {
   solve(y);
@@ -42,7 +42,7 @@ void forEachPart(RowsOfMany& y, const Solve& solve) {
 
 }  // namespace
 
-// The share of a factorisation that is done. Only the calling thread may report it.
+// The completed share of a factorisation. Only the calling thread may report it.
 struct Factorisation::Progress {
   Job& job;
   double total;

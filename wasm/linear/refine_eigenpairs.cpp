@@ -11,11 +11,11 @@
 namespace limber {
 namespace {
 
-constexpr int kBlocksOfRefinement = 4;  // of vectors that live at the same time
+constexpr int kBlocksOfRefinement = 4;  // of vectors that are allocated at the same time
 constexpr int kBlocksOfLanczos = 6;     // of its basis, at most
 
 // An estimate of the relative error of eigenvalues: the smaller of their last change and the square of the
-// inverse residual, as the error of an eigenvector enters its eigenvalue squared.
+// inverse residual, because the error of an eigenvector enters its eigenvalue squared.
 double errorOf(const EigenSearch& search, const Eigen::VectorXd& before, Eigen::Index first,
                Eigen::Index count) {
   if (count <= 0) return 0;
@@ -24,7 +24,8 @@ double errorOf(const EigenSearch& search, const Eigen::VectorXd& before, Eigen::
   return std::min(change, search.inverseResidual.segment(first, count).cwiseAbs2().maxCoeff());
 }
 
-// The vectors over all unknowns. Massless ones that are not 0 take another step of inverse iteration.
+// The vectors over all unknowns. If massless unknowns are not 0, this takes another step of inverse
+// iteration.
 EigenSearch wholePairs(const ShiftedPencil& pencil, const BlockLanczosPairs& pairs) {
   Eigen::MatrixXd phi = pencil.expand(pairs.phi);
   if (!pencil.masslessAreZero())
@@ -32,7 +33,8 @@ EigenSearch wholePairs(const ShiftedPencil& pencil, const BlockLanczosPairs& pai
   return {{pairs.lambda, std::move(phi)}, pairs.inverseResidual};
 }
 
-// Inverse iteration from `start` until the pairs that have to be exact have converged, or steps run out.
+// Inverse iteration from `start` until the pairs that have to be exact have converged, or the step limit is
+// reached.
 EigenSearch refineFrom(ShiftedPencil& pencil, const Eigen::MatrixXd& start, const RefineOptions& options,
                        Job& job) {
   if (options.admit) options.admit(pencil.memoryWith(kBlocksOfRefinement * static_cast<int>(start.cols())));
@@ -69,7 +71,7 @@ EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd
 
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job) {
-  if (options.spareCount < 1) return std::nullopt;  // no pair is left to tell what lies between
+  if (options.spareCount < 1) return std::nullopt;  // no spare pair whose eigenvalue bounds the gap
   ShiftedPencil shifted(pencil, options.structure, job);
   const Eigen::Index columns = start.cols(), exact = columns - options.spareCount;
   const Eigen::Index mostVectors = std::min(kBlocksOfLanczos * columns, shifted.heavyCount());

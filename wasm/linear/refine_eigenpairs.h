@@ -11,32 +11,32 @@
 
 namespace limber {
 
-// The lowest eigenpairs of a pencil from approximations of them.
+// Finds the lowest eigenpairs of a pencil from approximations.
 
 struct RefineOptions {
   double shift = -1;                   // sigma, < 0, of the size of the first positive eigenvalue
   double tolerance = kRoughTolerance;  // on the relative error of eigenvalues, > 0
   int pairCount = 12;                  // pairs with lambda > 0 to return
-  int spareCount = 0;                  // the last so many of them may still be inexact
+  int spareCount = 0;                  // the last of them, which may still be inexact
   int largestStepCount = 4;            // >= 1
-  bool residuals = true;               // whether EigenSolution::residual is wanted
-  bool isProved = true;                // of refineLowestEigenpairs: that no pair is missing
+  bool residuals = true;               // whether EigenSolution::residual is computed
+  bool isProved = true;                // only refineLowestEigenpairs: proves that no pair is missing
   std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
   std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
 };
 
 // Block inverse iteration with Rayleigh-Ritz from `start`, until the eigenvalues change by less than the
 // tolerance. `start`: unknowns x columns, with the null space among its columns; unknowns without an entry in
-// M may be 0. Takes one factorisation. It converges to the pairs that `start` approximates: nothing proves
+// M may be 0. Takes one factorisation. It converges to the pairs that `start` approximates, without a proof
 // that no pair in between is missing. Throws as solveEigenproblem.
 EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                const RefineOptions& options, Job& job);
 
-// The same by block Lanczos, which takes fewer steps: nothing where a pair that has to be exact has not
-// converged, where no pair is spare, or where memory is short. With `isProved` also nothing where inertia
-// counts another eigenvalue among these, which takes another factorisation. Vectors are as exact as their
-// eigenvalues in the mass, not in their energies: they keep more of what is rough in `start`.
-// `largestStepCount` and `admit` are not read.
+// The same by block Lanczos, which takes fewer steps. Returns nothing if a pair that has to be exact has not
+// converged, if there is no spare pair, or if memory is short; with `isProved` also if inertia counts another
+// eigenvalue among these, which takes another factorisation. Vectors are as accurate as their eigenvalues in
+// the mass norm, but not in energy: they keep more of the high-frequency error of `start`. `largestStepCount`
+// and `admit` are not read.
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job);
 

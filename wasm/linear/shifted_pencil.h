@@ -10,11 +10,11 @@
 
 namespace limber {
 
-// A pencil (K, M) with K - sigma M factorised: the operations that an eigensolver needs. Unknowns with an
+// A pencil (K, M) with K - sigma M factorised, and the operations that an eigensolver needs. Unknowns with an
 // entry in M are called heavy, the others massless.
 class ShiftedPencil {
  public:
-  // Pencil and job must outlive the object. `structure` as in EigenOptions.
+  // Pencil and job must outlive the object. `structure`: as in EigenOptions.
   ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure, Job& job);
 
   // Factorises K - sigma M. Must be called before anything that solves. Throws Cancelled.
@@ -23,14 +23,15 @@ class ShiftedPencil {
   // The number of eigenvalues below lambda, from the inertia of K - lambda M. Leaves lambda as the shift.
   uint32_t countBelow(double lambda);
 
-  // M^1/2 (K - sigma M)^-1 M^1/2 x over the heavy unknowns; of many columns in a fraction of their time.
+  // M^1/2 (K - sigma M)^-1 M^1/2 x over the heavy unknowns; many columns at once take a fraction of the time.
   Eigen::VectorXd invert(const Eigen::VectorXd& x) const;
   Eigen::MatrixXd invert(const Eigen::MatrixXd& x) const;
   // (K - sigma M)^-1 M phi over all unknowns: one step of inverse iteration for each column.
   Eigen::MatrixXd inverseStep(const Eigen::MatrixXd& phi) const;
 
-  // Vectors over all unknowns from M^1/2 times their heavy part, and back. `expand` sets massless unknowns to
-  // 0: eigenvectors are whole then where `masslessAreZero`, as clamped unknowns are, which no other meets.
+  // Converts M^1/2 times the heavy part of vectors to vectors over all unknowns, and back. `expand` sets
+  // massless unknowns to 0; for eigenvectors that is correct if `masslessAreZero`, as for clamped unknowns,
+  // which have no couplings.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& heavy) const;
   Eigen::MatrixXd restrict(const Eigen::MatrixXd& phi) const;
   bool masslessAreZero() const { return masslessAreZero_; }
@@ -45,7 +46,7 @@ class ShiftedPencil {
 
   Eigen::Index heavyCount() const { return rootMass_.size(); }
   Eigen::Index unknownCount() const { return pencil_.m.size(); }
-  // Bytes that a factorisation and `vectorCount` vectors of all unknowns take at their peak.
+  // Peak bytes of a factorisation and `vectorCount` vectors of all unknowns.
   uint64_t memoryWith(int vectorCount) const;
   uint64_t factorNonzeros() const { return factorisation_.structure().nonzeros(); }
   Job& job() const { return job_; }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr Eigen::Index kPanel = 32;      // columns that are eliminated at once
 constexpr Eigen::Index kStripe = 96;     // columns of an update that one thread computes
-constexpr double kTinyPivot = 1e-200;    // replaces a vanished pivot, so that quotients stay finite
-constexpr double kWorkForThreads = 4e6;  // multiplications of an update from which threads pay
+constexpr double kTinyPivot = 1e-200;    // replaces a zero pivot, so that quotients stay finite
+constexpr double kWorkForThreads = 4e6;  // multiplications of an update above which threads pay off
 
 using Columns = Eigen::Map<Eigen::MatrixXd>;
 
@@ -34,8 +34,8 @@ void factoriseDiagonalBlock(Block a, Eigen::Ref<Eigen::VectorXd> d) {
   }
 }
 
-// Calls update(first, count) for stripes of `columns` columns, on several threads where `work`
-// multiplications pay for that. Each stripe is computed alike whatever the number of threads.
+// Calls update(first, count) for stripes of `columns` columns, on several threads if `work` multiplications
+// pay for that. Each stripe is computed in the same way for any number of threads.
 template <class Update>
 void forEachStripe(Eigen::Index columns, double work, const Update& update) {
   const auto stripes = static_cast<size_t>((columns + kStripe - 1) / kStripe);

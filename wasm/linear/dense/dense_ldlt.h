@@ -11,8 +11,8 @@ namespace limber {
 // `columns` (rows x pivots) holds the lower triangle of the pivots' columns, the pivots' own rows first. It
 // is overwritten with L, whose unit diagonal is implied; the part above the diagonal is not touched. `d`
 // receives D. L D L^T of the remaining rows is subtracted from the lower triangle of `update`; some entries
-// just above its diagonal are overwritten too. No pivoting: a pivot that vanishes is replaced by 1e-200.
-// Threads share large updates. Throws Cancelled.
+// just above its diagonal are overwritten too. No pivoting: a zero pivot is replaced by 1e-200. Threads share
+// large updates. Throws Cancelled.
 void partialLdlt(Eigen::Map<Eigen::MatrixXd> columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd& update,
                  Job& job);
 

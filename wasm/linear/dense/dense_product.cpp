@@ -19,7 +19,7 @@ constexpr Index kRows = 64,
 
 RealPair load(const double* at) {
   RealPair pair;
-  std::memcpy(&pair, at, sizeof pair);  // one load, wherever `at` points
+  std::memcpy(&pair, at, sizeof pair);  // one load, whatever the alignment of `at`
   return pair;
 }
 

@@ -28,7 +28,7 @@ void subtractStridedProduct(const Strided<const double>& a, const Strided<const 
                             const Strided<double>& c);
 
 // The same for Eigen's matrices, blocks and maps. In WebAssembly this is twice as fast as the product of
-// Eigen 3.4, which has no kernel for it.
+// Eigen 3.4, which has no SIMD kernel for it.
 template <class A, class B, class C>
 void subtractProduct(const A& a, const B& b, C&& c) {
   subtractStridedProduct(strided(a), strided(b), strided(c));

@@ -8,7 +8,7 @@ namespace limber {
 
 namespace {
 
-constexpr Eigen::Index kBlock = 16;  // rows that are solved one by one before the next update
+constexpr Eigen::Index kBlock = 16;  // rows that are solved one at a time before the next update
 
 // Solves with the diagonal block of rows start .. end - 1, for a single vector y.
 void solveBlock(const UnitLower& lower, Eigen::Index start, Eigen::Index end, double* y) {

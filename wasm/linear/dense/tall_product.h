@@ -5,9 +5,9 @@
 namespace limber {
 
 // Products of matrices with many more rows than columns, on all threads. Sums are formed over ranges of rows
-// that do not depend on the number of threads, so results do not either.
+// that do not depend on the number of threads, so neither do results.
 
-// a^T b for matrices of as many rows.
+// a^T b for matrices with equal numbers of rows.
 Eigen::MatrixXd transposedProduct(const Eigen::Ref<const Eigen::MatrixXd>& a,
                                   const Eigen::Ref<const Eigen::MatrixXd>& b);
 // c -= a b, where b is small.

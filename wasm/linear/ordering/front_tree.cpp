@@ -25,7 +25,7 @@ struct Supernode {
   std::vector<uint32_t> pivots, boundary;  // positions in the elimination order
   std::vector<uint32_t> children;
   uint64_t pivotWeight = 0, boundaryWeight = 0;
-  uint64_t zeros = 0;  // zeros that merging has filled in
+  uint64_t zeros = 0;  // zeros added by merging
   bool isMerged = false;
 };
 
@@ -170,7 +170,7 @@ class TreeBuilder {
   const NodeGraph& graph_;
   const std::vector<uint32_t>& order_;
   std::vector<uint32_t> positionOf_, stamp_;
-  std::vector<uint32_t> rows_;  // of the structure that is being found
+  std::vector<uint32_t> rows_;  // of the structure being computed
   std::vector<Supernode> supernodes_;
 };
 

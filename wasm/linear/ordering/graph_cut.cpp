@@ -7,9 +7,9 @@ namespace limber {
 
 namespace {
 
-constexpr double kImbalance = 0.5;       // the largest increase by unequal halves
+constexpr double kImbalance = 0.5;       // the largest increase for unequal halves
 constexpr double kSmallestHalf = 0.4;    // of the weight of both halves: smaller ones are penalised
-constexpr double kSmallHalfPenalty = 2;  // per unit of the weight that is missing
+constexpr double kSmallHalfPenalty = 2;  // per unit of missing weight
 
 }  // namespace
 

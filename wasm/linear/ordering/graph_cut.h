@@ -11,9 +11,9 @@ namespace limber {
 enum Side : uint8_t { Left = 0, Right = 1, Between = 2 };
 using Sides = std::vector<uint8_t>;  // per node: its Side
 
-// The cost of a cut by the weights of its halves and its separator: the weight of the separator, increased by
-// up to one half the more unequal the halves are, and steeply once the smaller half has less than two fifths
-// of both. Infinite if a half is empty.
+// The cost of a cut with these weights of its halves and its separator: the weight of the separator,
+// increased by up to one half with the imbalance of the halves, and steeply once the smaller half has less
+// than two fifths of both. Infinite if a half is empty.
 double cutCost(int64_t left, int64_t right, int64_t between);
 // The same for a cut that is given by sides.
 double separatorCost(const NodeGraph& graph, const Sides& sides);

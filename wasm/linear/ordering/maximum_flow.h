@@ -13,7 +13,7 @@ class MaximumFlow {
   explicit MaximumFlow(uint32_t nodeCount);
 
   void connect(uint32_t from, uint32_t to, int64_t capacity);
-  // Finds the maximum flow. O(nodes^2 arcs) at worst, far less for the narrow bands that this is used on.
+  // Finds the maximum flow. O(nodes^2 arcs) at worst, far less for the narrow bands that this is used for.
   void run(uint32_t source, uint32_t sink);
 
   // After `run`, per node: whether more could still flow to it from `source`, or from it to `sink`. The

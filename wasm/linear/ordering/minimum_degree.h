@@ -8,14 +8,13 @@
 namespace limber {
 
 // Orders a small set of nodes by exact minimum degree (Tinney and Walker 1967): the next pivot is always the
-// node that is coupled to the fewest unknowns, ties by index. Neighbours outside of the set, which are
+// node that is coupled to the fewest unknowns, ties by index. Neighbours outside the set, which are
 // eliminated later, count as well, as they do in the factor.
 class MinimumDegree {
  public:
   explicit MinimumDegree(const NodeGraph& graph);  // the graph must outlive the object
 
-  // Appends `nodes` to `order`. O(n^2) memory and O(n^3 / 64) time, meant for at most some hundred
-  // nodes.
+  // Appends `nodes` to `order`. O(n^2) memory and O(n^3 / 64) time, meant for at most a few hundred nodes.
   void order(const std::vector<uint32_t>& nodes, std::vector<uint32_t>& order);
 
  private:

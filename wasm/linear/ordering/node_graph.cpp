@@ -8,14 +8,14 @@ namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
 
-// Pairs each node with its free neighbour of the strongest bond, among equals with the lightest. A node
-// without a free neighbour is its own partner.
+// Pairs each node with its free neighbour of the strongest bond, on a tie the lightest. A node without a free
+// neighbour is its own partner.
 std::vector<uint32_t> match(const NodeGraph& graph) {
   const uint32_t count = graph.nodeCount();
   std::vector<uint32_t> visit(count), partner(count, kNone);
   for (uint32_t i = 0; i < count; ++i) visit[i] = i;
-  // Visiting in a scattered order keeps the pairs from lining up with the numbering. The factor is Knuth's
-  // for multiplicative hashing.
+  // Visiting in a scattered order prevents pairs that align with the numbering. The factor is Knuth's for
+  // multiplicative hashing.
   const auto scatter = [](uint32_t i) { return (i + 1) * 2654435761u; };
   std::sort(visit.begin(), visit.end(), [&](uint32_t a, uint32_t b) { return scatter(a) < scatter(b); });
   for (uint32_t i : visit) {

@@ -11,7 +11,7 @@ namespace limber {
 // A weighted undirected graph, in compressed adjacency lists.
 struct NodeGraph {
   std::vector<uint32_t> start, neighbours;  // node i has neighbours[start[i] .. start[i + 1])
-  std::vector<uint32_t> bond;    // bond[k]: how many original edges the edge to neighbours[k] stands for
+  std::vector<uint32_t> bond;    // bond[k]: how many original edges the edge to neighbours[k] represents
   std::vector<uint32_t> weight;  // per node: its unknowns
 
   uint32_t nodeCount() const { return static_cast<uint32_t>(weight.size()); }
@@ -23,12 +23,12 @@ struct NodeGraph {
 // The graph of a pencil: its nodes, weighted by their numbers of unknowns, and their couplings in K.
 NodeGraph nodeGraph(const SparsePencil& pencil);
 
-// Extracts subgraphs, any number of them, without allocating memory of the size of the whole graph each time.
+// Extracts any number of subgraphs without allocating memory of the size of the whole graph each time.
 class Subgraph {
  public:
   explicit Subgraph(const NodeGraph& graph);  // must outlive it
 
-  // The subgraph of `nodes`, renumbered: its node k is nodes[k]. Neighbours outside of the list are dropped.
+  // The subgraph of `nodes`, renumbered: its node k is nodes[k]. Neighbours outside the list are dropped.
   NodeGraph of(const std::vector<uint32_t>& nodes);
 
  private:

@@ -11,8 +11,8 @@ namespace limber {
 
 namespace {
 
-constexpr size_t kLeafNodes = 10;  // heavy nodes: sets of no more are not cut any further
-// Two halves are cut at the same time if they have at least so many heavy nodes together, and at least this
+constexpr size_t kLeafNodes = 10;  // heavy nodes: sets of at most this size are not cut any further
+// Two halves are cut in parallel if together they have at least this many heavy nodes, and at least this
 // fraction (one in kOneInApart) of the graph's, because each half takes memory of the size of the graph.
 constexpr size_t kNodesApart = 4000, kOneInApart = 16;
 constexpr uint32_t kNone = UINT32_MAX;
@@ -73,7 +73,7 @@ class Dissector {
     divide(std::move(half[Right]), block, depth + 1);
   }
 
-  // Both halves at the same time, each by a dissector of its own.
+  // Both halves in parallel, each by a dissector of its own.
   void divideApart(std::vector<uint32_t> (&half)[3], uint32_t parent) {
     std::vector<DissectionBlock> found[2];
     parallelFor(2, 1, [&](size_t begin, size_t) {
@@ -82,7 +82,7 @@ class Dissector {
     for (std::vector<DissectionBlock>& blocks : found) append(blocks_, std::move(blocks), parent);
   }
 
-  // Splits nodes into connected pieces, ordered by the first node of each.
+  // Splits nodes into connected components, ordered by the first node of each.
   std::vector<std::vector<uint32_t>> connectedPieces(const std::vector<uint32_t>& nodes) {
     const uint32_t inside = ++marks_, found = ++marks_;
     for (uint32_t i : nodes) reached_[i] = inside;
@@ -120,11 +120,11 @@ uint32_t commonAncestor(const std::vector<DissectionBlock>& blocks, uint32_t a, 
 // The dissection of the heavy nodes, to which light nodes are added one by one.
 struct Dissection {
   std::vector<DissectionBlock> blocks;
-  std::vector<uint32_t> blockOf;  // per node; kNone as long as it has none
+  std::vector<uint32_t> blockOf;  // per node; kNone while it has none
 };
 
 // The block that a light node joins: the deepest block of its heavy neighbours, or the common ancestor if a
-// neighbour that has a block already lies on another branch. So no two neighbours end up on different
+// neighbour that already has a block lies on another branch. No two neighbours therefore end up on different
 // branches.
 uint32_t blockFor(uint32_t node, const NodeGraph& graph, const Dissection& dissection, uint32_t heaviest) {
   const auto& [blocks, blockOf] = dissection;
@@ -160,7 +160,7 @@ std::vector<DissectionBlock> dissect(const NodeGraph& graph, const Job& job) {
   for (uint32_t i = 0; i < graph.nodeCount(); ++i) {
     if (graph.weight[i] == heaviest) continue;
     const uint32_t block = blockFor(i, graph, dissection, heaviest);
-    blockOf[i] = block == kNone ? 0 : block;  // a node without neighbours may go anywhere
+    blockOf[i] = block == kNone ? 0 : block;  // a node without neighbours may be in any block
     blocks[blockOf[i]].nodes.push_back(i);
   }
   return std::move(blocks);

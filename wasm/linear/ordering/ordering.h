@@ -10,7 +10,7 @@ namespace limber {
 
 // A fill-reducing elimination order of the nodes, by nested dissection (George 1973): the graph is cut in two
 // by a small separator, both halves are ordered first, recursively, and the separator last. Separators come
-// from a multilevel method that sees the graph alone, no coordinates (separator.h). Remainders of at most ten
+// from a multilevel method that uses only the graph, no coordinates (separator.h). Remainders of at most ten
 // nodes, and sets without a separator, are ordered by minimum degree (Tinney and Walker 1967). Only the
 // heaviest nodes are dissected; each lighter node joins its heavy neighbours.
 //

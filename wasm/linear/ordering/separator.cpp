@@ -9,7 +9,7 @@ namespace limber {
 
 namespace {
 
-constexpr uint32_t kCoarsest = 60;       // nodes: coarsening ends at graphs with no more
+constexpr uint32_t kCoarsest = 60;       // nodes: coarsening ends at graphs of at most this size
 constexpr uint32_t kSeeds = 4;           // attempts on the coarsest graph
 constexpr int kTightenings = 3;          // at most, on each finer graph
 constexpr double kLeastShrinking = 0.9;  // coarsening ends if more than this share of the nodes is left
@@ -28,9 +28,9 @@ uint32_t rankFrom(const NodeGraph& graph, uint32_t seed, std::vector<uint32_t>& 
   return queue.back();
 }
 
-// The cheapest cut between two ranks, with one of the two rims along it as the separator. Cut c puts the
-// nodes of rank below c on the left. A node of rank r with neighbours up to rank m lies on the left rim of
-// the cuts r + 1 .. m.
+// The cheapest cut between two ranks, with the adjacent nodes on one side of it (a rim) as the separator. Cut
+// c puts the nodes of rank below c on the left. A node of rank r with neighbours up to rank m lies on the
+// left rim of the cuts r + 1 .. m.
 Sides cutBetweenRanks(const NodeGraph& graph, const std::vector<uint32_t>& rank) {
   const uint32_t count = graph.nodeCount();
   std::vector<int64_t> below(count + 1, 0), leftRim(count + 1, 0), rightRim(count + 1, 0);
@@ -74,7 +74,7 @@ Sides cutBetweenRanks(const NodeGraph& graph, const std::vector<uint32_t>& rank)
 }
 
 // Cuts a small graph by ranks from several seeds, each far from the previous one, and returns the cheapest
-// cut. All nodes are Left where there is none.
+// cut. All nodes are Left if there is none.
 Sides separateDirectly(const NodeGraph& graph) {
   Sides best(graph.nodeCount(), Left);
   double lowest = HUGE_VAL;
@@ -93,7 +93,7 @@ Sides separateDirectly(const NodeGraph& graph) {
   return best;
 }
 
-// The cut of a coarsened graph, tightened on the graph itself.
+// The cut of a coarsened graph, transferred to the graph itself and tightened.
 Sides refined(const NodeGraph& graph, const std::vector<uint32_t>& coarseOf, const Sides& coarseSides) {
   Sides sides(graph.nodeCount());
   for (uint32_t i = 0; i < graph.nodeCount(); ++i) sides[i] = coarseSides[coarseOf[i]];

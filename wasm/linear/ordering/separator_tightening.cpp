@@ -17,7 +17,7 @@ struct Band {
   std::vector<uint32_t> indexOf;  // per node of the graph: its index in `nodes`, or kNone
 };
 
-// The separator and the rings of nodes around it, as long as each half stays large enough without them.
+// The separator and the rings of nodes around it, as long as each half without them remains large enough.
 Band bandAround(const NodeGraph& graph, const Sides& sides) {
   int64_t weight[3] = {};
   Band band;
@@ -53,7 +53,7 @@ bool tightenSeparator(const NodeGraph& graph, Sides& sides) {
   MaximumFlow flow(2 * count + 2);
   for (uint32_t b = 0; b < count; ++b) {
     flow.connect(2 * b, 2 * b + 1, graph.weight[band.nodes[b]]);
-    bool touches[3] = {};  // sides of its neighbours outside of the band
+    bool touches[3] = {};  // sides of its neighbours outside the band
     for (uint32_t j : graph.around(band.nodes[b])) {
       if (band.indexOf[j] == kNone)
         touches[sides[j]] = true;
