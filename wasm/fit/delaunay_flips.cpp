@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostPasses = 12;  // over all edges
 constexpr size_t kEdgesPerRange = 8192;
-constexpr double kFlat = 0.97;     // least cosine between any old and any new normal
+constexpr double kFlat = 0.97;     // smallest cosine between any old and any new normal
 constexpr double kClearly = 1e-3;  // the sine of the sum of both opposite angles must be less than minus this
 
 // The distance between the straight lines through both diagonals of the quad.
@@ -58,8 +58,8 @@ class Flipping {
   std::vector<uint32_t>& corners_;
   Topology topology_;
   std::vector<uint8_t> triangleChanged_, vertexChanged_;  // in this pass
-  // Per triangle whether the next pass has to look at its edges: it has changed, or something that may change
-  // kept an edge of it from being flipped; and what the pass before has found.
+  // Per triangle whether the next pass has to test its edges, because it has changed or because a temporary
+  // obstacle prevented the flip of one of them; and the same from the previous pass.
   std::vector<uint8_t> isOpen_, wasOpen_;
 };
 
@@ -77,8 +77,8 @@ bool Flipping::exists(uint32_t a, uint32_t b) const {
                              [&](uint32_t t) { return std::ranges::count(mesh_.triangles[t], b) > 0; });
 }
 
-// Per edge whether it belongs to an open triangle and is not Delaunay as this pass begins. The others are
-// left alone: a flip beside one of them leaves its triangle open for the next pass.
+// Per edge whether it belongs to an open triangle and is not Delaunay at the start of this pass. The others
+// are skipped: a flip next to one of them leaves its triangle open for the next pass.
 std::vector<uint8_t> Flipping::edgesToLookAt() const {
   std::vector<uint8_t> isWorse(topology_.edges.size(), 0);
   parallelFor(isWorse.size(), kEdgesPerRange, [&](size_t begin, size_t end) {
@@ -93,7 +93,7 @@ std::vector<uint8_t> Flipping::edgesToLookAt() const {
   return isWorse;
 }
 
-// The two triangles of an edge that ought to be flipped and can be.
+// The two triangles of an edge that should be flipped and can be.
 std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) {
   if (std::ranges::binary_search(limits_.fixed, std::array{edge.a, edge.b})) return std::nullopt;
   const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
@@ -123,7 +123,7 @@ std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) {
   return isKept ? quad : std::nullopt;
 }
 
-// The two triangles of the mirror image of an edge, where both can be flipped together.
+// The two triangles of the mirror image of an edge, if both can be flipped together.
 std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) {
   const Topology::Edge* edge =
       edgeBetween(topology_, limits_.partners[quad.start], limits_.partners[quad.end]);
@@ -152,7 +152,7 @@ uint32_t Flipping::tryFlip(const Topology::Edge& edge) {
 void Flipping::flip(const EdgeQuad& quad) {
   flipEdge(quad, mesh_, corners_);
   triangleChanged_[quad.first] = triangleChanged_[quad.second] = 1;
-  // Another new edge between changed vertices in this pass could be the same one.
+  // Another flip between changed vertices in this pass could create the same edge.
   vertexChanged_[quad.left] = vertexChanged_[quad.right] = 1;
 }
 

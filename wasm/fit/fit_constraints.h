@@ -8,15 +8,15 @@
 
 namespace limber {
 
-// What decides how a result is divided into the parts that a fit works on, and what stays in place there. See
-// ModalFitOptions and ShapeFitOptions, whose fields these are.
+// The options that determine how a result is divided into the parts that a fit works on, and which vertices
+// stay in place. They are fields of ModalFitOptions and ShapeFitOptions.
 struct FitConstraints {
   Charts charts = {};      // of the original
-  bool keepsSeams = true;  // whether all seams between charts stay in place, or borders of groups alone
+  bool keepsSeams = true;  // whether all seams between charts stay in place, or only borders of groups
   std::span<const uint8_t> locked = {};  // [v] of the original
   PinnedVertices pinned = {};            // vertices of the original
   uint32_t largeVertices = 0;            // a component of the result with more vertices is large ...
-  uint32_t mostOriginal = 0;             // ... and left out where the original has more than this
+  uint32_t mostOriginal = 0;             // ... and skipped if the original has more than this
 };
 
 }  // namespace limber

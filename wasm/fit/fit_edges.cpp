@@ -8,8 +8,8 @@ namespace limber {
 
 namespace {
 
-// A corner of the result belongs to the side, by charts, of the corner of the original that it comes from. An
-// edge is a seam where its two triangles disagree on the side of an end.
+// A corner of the result belongs to the same side (see ChartSides) as the corner of the original that it
+// comes from. An edge is a seam if the corners of its two triangles at one end are on different sides.
 EdgeList seamsOfResult(const MeshAt& result, const ChartSides& sides) {
   const TriangleMesh& mesh = result.mesh;
   const Topology topology = buildIncidence(mesh);
@@ -34,7 +34,7 @@ EdgeList seamsOfOriginal(const Topology& topology, const ChartSides& sides) {
   return seams;
 }
 
-// The edges and their mirror images, sorted, each once.
+// The edges and their mirror images, sorted and without duplicates.
 EdgeList withImages(EdgeList edges, const std::vector<uint32_t>& partners) {
   const size_t count = edges.size();
   for (size_t i = 0; i < count; ++i) {

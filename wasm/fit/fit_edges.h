@@ -15,7 +15,7 @@ struct FitEdges {
   EdgeList fixed;  // edges of the result that are not flipped: all its seams and their mirror images
 };
 
-// `topology`: of the original. `mirror`: null where the result is not its own mirror image.
+// `topology`: of the original. `mirror`: null if the result is not its own mirror image.
 struct FitEdgesInput {
   const TriangleMesh& original;
   const Topology& topology;

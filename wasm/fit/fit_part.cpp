@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t kFewestFaces = 12;  // of the result of a component that is fitted
 
-// Per vertex of the result 1 where a marked vertex of the original has become it.
+// Per vertex of the result: 1 if a marked vertex of the original was merged into it.
 std::vector<uint8_t> carriedMarks(const MeshAt& result, std::span<const uint8_t> marks) {
   std::vector<uint8_t> carried(result.mesh.vertexCount(), 0);
   for (uint32_t v = 0; v < marks.size(); ++v)
@@ -20,7 +20,7 @@ std::vector<uint8_t> carriedMarks(const MeshAt& result, std::span<const uint8_t>
   return carried;
 }
 
-// Per component the edges that it has, by its own vertices.
+// Per component its edges, by its own vertex ids.
 std::vector<EdgeList> splitEdges(const EdgeList& edges, const MeshParts& parts,
                                  const std::vector<uint32_t>& componentOfVertex) {
   std::vector<EdgeList> lists(parts.parts.size());
@@ -29,8 +29,8 @@ std::vector<EdgeList> splitEdges(const EdgeList& edges, const MeshParts& parts,
   return lists;
 }
 
-// The pinned vertices of a part, given marks of the whole mesh. None where they leave it a rigid motion, or
-// no vertex to move.
+// The pinned vertices of a part, given marks of the whole mesh. None if they leave it a rigid motion, or no
+// vertex to move.
 PinnedVertices pinnedIn(const MeshParts::Part& part, const std::vector<uint8_t>& isPinned) {
   std::vector<uint32_t> pinned;
   for (uint32_t v = 0; v < part.vertices.size(); ++v)
@@ -122,7 +122,7 @@ FitPart PartFinder::take(uint32_t component) {
   return part;
 }
 
-// Pins are judged by the meshes after the result has been made symmetric.
+// Pins are checked on the meshes after the result has been made symmetric.
 void PartFinder::takeMeshes(uint32_t component, FitPart& part) {
   MeshParts::Part &original = originals_.parts[component], &result = results_.parts[component];
   part.wholeVertex = result.vertices;

@@ -18,13 +18,13 @@ namespace limber {
 
 namespace {
 
-constexpr double kTargetShare = 0.3;  // of the time of a search, until the modes of the original are known
+constexpr double kTargetShare = 0.3;  // of the time of a search, taken by the modes of the original
 
-// What is the same for all parts of a call.
+// The context that all parts of a call share.
 struct FitContext {
   const ModalFitOptions& options;
   StartResult start;
-  std::function<void(double)> report;  // takes the fraction of the present part that is done
+  std::function<void(double)> report;  // takes the completed fraction of the current part
   Job& job;
 };
 
@@ -47,7 +47,7 @@ struct SearchErrors {
   double before, after;
 };
 
-// Moves the vertices of part.result. Nothing where a body has no elastic modes.
+// Moves the vertices of part.result. Returns nothing if a body has no elastic modes.
 std::optional<SearchErrors> searchModes(FitPart& part, const OriginalSurface& surface,
                                         const SearchLimits& limits, const FitContext& context) {
   const ElasticMaterial material =
@@ -64,7 +64,7 @@ std::optional<SearchErrors> searchModes(FitPart& part, const OriginalSurface& su
   return SearchErrors{search.meanSquareBefore(), search.meanSquareAfter()};
 }
 
-// For small errors a frequency is off by half of what its eigenvalue is. In %.
+// For small errors the relative error of a frequency is half of that of its eigenvalue. In %.
 void addErrors(const SearchErrors& errors, ModalFitResult& fitted) {
   fitted.errorBefore.push_back(50 * std::sqrt(errors.before));
   fitted.errorAfter.push_back(50 * std::sqrt(errors.after));

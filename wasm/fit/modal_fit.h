@@ -25,15 +25,15 @@ struct ModalFitResult {
 // component it minimises, by Levenberg-Marquardt damped Gauss-Newton steps, the weighted sum of
 //   (psi_i^T K psi_j / sqrt(lambda_i lambda_j) - delta_ij)^2
 // at three thicknesses of the shell, where lambda are eigenvalues of the original, psi modes of the result
-// that have been aligned with the original's, and K is the stiffness matrix of the result; their derivatives
-// are those of Fox and Kapoor 1968. The mean square distance from the original's surface stays within a
-// budget. Before that, edges are flipped to Delaunay and vertices are fitted to the surface; large components
-// are treated differently (see ModalFitOptions::largeVertices).
+// that have been aligned with the original's, and K is the stiffness matrix of the result. Derivatives follow
+// Fox and Kapoor 1968. The mean square distance from the original's surface stays within a budget. Before
+// that, edges are flipped to Delaunay and vertices are fitted to the surface. Large components are treated
+// differently (see ModalFitOptions::largeVertices).
 //
 // Topology and the number of faces do not change, no face turns over, and borders, seams, creases, flat
-// regions and locked vertices keep their shape. Positions are float32 numbers. `result.flips` tells where
-// corners come from. A result that still has all faces of the original is returned as it is. Throws
-// Cancelled, and std::invalid_argument where a mirror is given and `result` is not its own mirror image.
+// regions and locked vertices keep their shape. Positions are float32 numbers. `result.flips` maps corners to
+// those before the flips. A result that still has all faces of the original is returned unchanged. Throws
+// Cancelled, and std::invalid_argument if a mirror is given and `result` is not its own mirror image.
 ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& result, const ModalFitOptions& options,
                         Job& job);
 

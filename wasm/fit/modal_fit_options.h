@@ -11,27 +11,28 @@
 namespace limber {
 
 struct ModalFitOptions {
-  double thickness = 0;  // of the shell, in units of the mesh; the fit compares at half, once and twice this
+  double thickness = 0;  // of the shell, in units of the mesh; the fit compares at 0.5, 1 and 2 times this
   double poisson = 0.3;
   int modeCount = 20;
   Charts charts = {};  // of the original; no edge between two charts is flipped
-  // Seams between charts stay in place, too: all of them, or, where this is false, borders of groups alone.
+  // Whether all seams between charts stay in place; if false, only borders of groups do.
   bool keepsSeams = true;
-  std::span<const uint8_t> locked = {};  // [v] of the original: not 0 where what it has become stays in place
-  // Vertices of the original. What they have become stays in place; where they leave a component no rigid
+  std::span<const uint8_t> locked = {};  // [v] of the original: not 0 if its vertex of the result is fixed
+  // Vertices of the original. Their vertices of the result stay in place. If they leave a component no rigid
   // motion, its modes with these vertices pinned are fitted.
   PinnedVertices pinned = {};
-  // [v] of the original, see SimplifyConstraints::mirror: a result that is its own mirror image stays so. May
-  // be empty.
+  // [v] of the original, see SimplifyConstraints::mirror: a result that is its own mirror image remains
+  // symmetric. May be empty.
   std::span<const uint32_t> mirror = {};
-  // Limits that the result keeps where it respects them before the fit; where it does not, it gets no worse.
+  // Limits. If the result respects a limit before the fit, it still does afterwards; otherwise it gets no
+  // worse.
   double maxDeviation = 0;  // from the original, in units of the mesh; 0: no limit
   double minAngle = 0;      // degrees; 0: no limit
-  // Components with more vertices than this in the result are large: they are fitted at half and twice the
-  // thickness alone, in few rounds, without flips.
+  // Components with more vertices than this in the result are large: they are fitted only at half and twice
+  // the thickness, in few rounds, without flips.
   uint32_t largeVertices = kLargeResultVertices;
-  // Large components with more vertices than this in the original are not fitted: their frequencies are not
-  // known as precisely as a fit would need.
+  // Large components with more vertices than this in the original are not fitted, because their frequencies
+  // are not known precisely enough.
   uint32_t mostOriginal = kRefinedVertices;
   uint32_t coarseVertices = kCoarseVertices;  // see ModalTargetOptions
 

@@ -12,7 +12,7 @@ Vec3 inFile(const Vec3& p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-// Sets the position of a vertex and, where there is a mirror, that of its image.
+// Sets the position of a vertex and, with symmetry, that of its image.
 void writePosition(uint32_t v, const Vec3& position, const ResultMirror* mirror,
                    std::vector<Vec3>& positions) {
   const uint32_t image = mirror ? mirror->partners[v] : v;

@@ -18,7 +18,7 @@ struct ResultMirror {
   MirrorPlane plane;                     // in units of the file
 };
 // `partners[v]`: the mirror image of vertex v of the original, see SimplifyConstraints::mirror. Throws
-// std::invalid_argument where the result is not its own mirror image. O(n log n).
+// std::invalid_argument if the result is not its own mirror image. O(n log n).
 ResultMirror mirrorOfResult(const TriangleMesh& original, const MeshAt& result,
                             std::span<const uint32_t> partners);
 

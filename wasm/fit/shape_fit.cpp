@@ -23,10 +23,9 @@ namespace {
 
 namespace constants = tuning::surface_rounds;
 
-constexpr double kRounding =
-    1e-6;  // of the diagonal, more than float32 positions lift an edge of a flat mesh
+constexpr double kRounding = 1e-6;  // of the diagonal; float32 rounding lifts an edge of a flat mesh by less
 
-// All components take part, whatever their size.
+// All components are fitted, whatever their size.
 FitConstraints constraintsOf(const ShapeFitOptions& options) {
   return {options.charts, options.keepsSeams, options.locked, options.pinned, kLargeResultVertices, ~0u};
 }
@@ -37,13 +36,13 @@ void lockCorners(FitPart& part, const Topology& topology) {
     if (isCorner[v]) part.lock(v);
 }
 
-// What a part is fitted with.
+// The context of the fit of a part.
 struct ShapeContext {
   const ShapeFitOptions& options;
   StartResult start;
   const std::vector<uint8_t>& isUnchanged;  // per triangle of the whole result
-  uint32_t samples;                         // at which the deviation of the present part is judged
-  std::function<void(double)> report;       // takes the fraction of the present part that is done
+  uint32_t samples;                         // at which the deviation of the current part is measured
+  std::function<void(double)> report;       // takes the completed fraction of the current part
   Job& job;
 };
 
@@ -54,8 +53,8 @@ uint32_t samplesOf(const FitPart& part, const TriangleMesh& original, uint32_t w
   return static_cast<uint32_t>(std::ceil(share * all));
 }
 
-// What flips keep, besides the edges that are fixed: no flip lifts the surface by more than what is far from
-// it.
+// Limits on flips in addition to fixed edges: no flip displaces the surface by more than the distance at
+// which it counts as far.
 FlipLimits flipLimits(const FitPart& part, const StepLimits& steps, double startDistance) {
   FlipLimits limits{part.fixedEdges, part.partners(), steps.minAngle};
   limits.mostLift = std::max(tuning::surface::kFarDistance * startDistance, kRounding);

@@ -43,7 +43,7 @@ Eigen::VectorXd ShapeRounds::nextStep() {
   return stepOf(fit, measureSizes(mesh, topology), sizeGradients(mesh, topology));
 }
 
-// What the multipliers cost is lambda^T C^T A^-1 C lambda, and what the step gains without them g^T A^-1 g.
+// The multipliers cost lambda^T C^T A^-1 C lambda, and the step gains g^T A^-1 g without them.
 Eigen::VectorXd ShapeRounds::stepOf(const SurfaceFit& fit, const Eigen::Vector2d& sizes,
                                     const Eigen::MatrixX2d& sizeGradients) const {
   Eigen::MatrixXd columns(fit.gradient.size(), 3);
@@ -60,7 +60,7 @@ Eigen::VectorXd ShapeRounds::stepOf(const SurfaceFit& fit, const Eigen::Vector2d
   const Eigen::MatrixXd solved = solve(columns.leftCols(isClosed() ? 1 : 3));
   const Eigen::VectorXd free = solved.col(0);
   const Eigen::Vector2d change = wantedChange(sizes + conditions.transpose() * free);
-  // The area of a closed part mostly stays within its range by itself.
+  // The area of a closed part usually stays within its range without a condition.
   if (change.isZero(0)) return free;
   const Eigen::MatrixXd responses = isClosed() ? solve(conditions) : solved.rightCols<2>();
   const Eigen::Matrix2d response = conditions.transpose() * responses;
@@ -71,7 +71,7 @@ Eigen::VectorXd ShapeRounds::stepOf(const SurfaceFit& fit, const Eigen::Vector2d
   return free + responses * multipliers;
 }
 
-// From sizes that are planned to those that are wanted.
+// The remaining change from the predicted sizes to the wanted ones.
 Eigen::Vector2d ShapeRounds::wantedChange(const Eigen::Vector2d& planned) const {
   Eigen::Vector2d change = wanted_ - planned;
   change[0] -= std::clamp(change[0], -areaRange_, areaRange_);

@@ -6,12 +6,12 @@
 
 namespace limber {
 
-// The steps dx of a mesh's coordinates that minimise
+// The steps dx of the coordinates of a mesh that minimise
 //   dx^T A dx - 2 g^T dx + w |r + J dx|^2
 // for any residual weight w > 0: the first two terms are the damped model of the surface distance
 // (SurfaceFit, DampedSystem), the last one is the linearised mismatch of modes (Mismatch, with residuals
-// clipped to tuning::search::kMostResidual). J has few rows, so that the Woodbury formula gives the minimum
-// for all w from one factorisation of A: with s = A^-1 g, X = A^-1 J^T and G = J X,
+// clipped to tuning::search::kMostResidual). J has few rows, so the Woodbury formula gives the minimum for
+// all w from one factorisation of A: with s = A^-1 g, X = A^-1 J^T and G = J X,
 //   dx = s - X y,  (1 / w + G) y = r + J s.
 // At this dx the surface terms are y^T G y - g^T s. G is made tridiagonal once, after which each w costs
 // O(residuals).
@@ -23,12 +23,12 @@ class BudgetedStep {
   // The minimising dx.
   Eigen::VectorXd step(double residualWeight) const;
 
-  // The surface terms at the minimising dx: how much the model expects the squared distance, integrated over
-  // the area, to grow. It rises with the weight.
+  // The surface terms at the minimising dx: the growth of the squared distance, integrated over the area,
+  // that the model predicts. It rises with the weight.
   double growth(double residualWeight) const;
 
-  // The largest weight in [least, most] whose growth is at most `budget`, found by bisection; `least` where
-  // there is none. The step within the budget is step() of it.
+  // The largest weight in [least, most] whose growth is at most `budget`, found by bisection; `least` if
+  // there is none. Pass it to step() to get the step within the budget.
   double weightWithinBudget(double budget, double least, double most) const;
 
  private:

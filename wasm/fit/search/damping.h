@@ -9,25 +9,26 @@ namespace limber {
 // of the others. Constants are in tuning::damping.
 class Damping {
  public:
-  // `favourSpeed`: mu falls faster after good steps, and rises more each time that the best state has to be
-  // restored in a row.
+  // `favourSpeed`: mu falls faster after good steps, and rises more with each consecutive restore of the best
+  // state.
   Damping(Eigen::Index coordinateCount, double initial, bool favourSpeed);
 
   // mu.
   double value() const { return value_; }
-  // Whether mu has reached its upper limit: no shorter step is worth trying.
+  // Whether mu has reached its upper limit, so that no shorter step is worth trying.
   bool isExhausted() const;
   // D with its scale.
   Eigen::VectorXd scaled(const Eigen::VectorXd& dampingDiagonal) const;
 
-  // Follows the decrease of the squared residuals that a step made against the one that its model predicted.
+  // Adapts mu to the gain ratio of a step: the actual decrease of the squared residuals over the predicted
+  // one.
   void adapt(double gain, double predicted);
-  // Raises the scale of blocked vertices, which the guard did not let make half of their displacement, and
-  // lowers that of others to no less than 1. Both have entries 3 v + axis.
+  // Raises the scale of blocked vertices, which the guard has kept below half of their displacement, and
+  // lowers that of others, to no less than 1. Both have entries 3 v + axis.
   void scaleBlocked(const Eigen::VectorXd& wanted, const Eigen::VectorXd& made);
 
-  // To be called when a step has found a new best state, and when the best state has been restored: elongated
-  // triangles bend the residuals so much that a linear step can be a thousand times too long.
+  // Must be called when a step has found a new best state, and when the best state has been restored. With
+  // elongated triangles the residuals are so nonlinear that a linear step can be a thousand times too long.
   void noteImprovement() { restores_ = 0; }
   void noteRestore();
 

@@ -14,12 +14,12 @@ namespace limber {
 namespace {
 
 constexpr double kMargin =
-    0.9;  // fraction of the limit that samples may use: points between them are farther
+    0.9;  // fraction of the limit that samples may use, because points between them may be farther
 constexpr size_t kSamplesPerRange = 256, kTrianglesPerRange = 256;
-// Each triangle is cut into n^2 congruent ones, so that there are about as many in all as samples are wanted;
-// n is at least kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
+// Each triangle is cut into n^2 congruent ones, so that their total is about the wanted number of samples; n
+// is at least kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
 constexpr double kFewestCuts = 3, kMostCuts = 24;
-constexpr double kMostFollowed = 0.05;  // of the triangles, whose covers are followed one by one
+constexpr double kMostFollowed = 0.05;  // of the triangles, whose covers are tracked one by one
 
 int cutsOf(const TriangleMesh& mesh, double parts, double fewest) {
   const double cuts = std::ceil(std::sqrt(parts / std::max(1u, mesh.triangleCount())));
@@ -50,21 +50,21 @@ Vec3 pointOn(const TriangleMesh& mesh, const SurfacePoint& point) {
   return pointOn(mesh, point.triangle, point.barycentric);
 }
 
-// The largest distance of a point of triangle t from p: it is that of a corner.
+// The largest distance of a point of triangle t from p, which is that of a corner.
 double farthest(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
   double square = 0;
   for (int c = 0; c < 3; ++c) square = std::max(square, squaredLength(mesh.corner(t, c) - p));
   return std::sqrt(square);
 }
 
-// Covers are on `surface` and serve triangles of `mesh`: within `enough` of all of a triangle.
+// Covers are points on `surface` for triangles of `mesh`, within `enough` of all of the triangle.
 struct Covering {
   const TriangleMesh& mesh;
   const TriangleMesh& surface;
   double enough;
 };
 
-// A triangle without a cover, and the triangle of the cover that it had; kNone where it had none.
+// A triangle without a cover, and the triangle of its last cover; kNone if it had none.
 struct OpenTriangle {
   uint32_t triangle, coverBefore;
 };
@@ -84,8 +84,8 @@ std::vector<OpenTriangle> removeFarCovers(const Covering& covering, std::vector<
   return open;
 }
 
-// Looks for new covers beside the old ones, on a surface that has moved a little. Returns whether all of the
-// open triangles have one then. Where many are open, a tree over the surface is faster.
+// Looks for new covers near the old ones, on a surface that has moved a little. Returns whether all of the
+// open triangles have one afterwards. If many are open, a tree over the surface is faster.
 bool followCovers(const Covering& covering, const std::vector<OpenTriangle>& open,
                   std::vector<SurfacePoint>& covers) {
   const auto& [mesh, surface, enough] = covering;
@@ -106,12 +106,11 @@ bool followCovers(const Covering& covering, const std::vector<OpenTriangle>& ope
   return isCovered;
 }
 
-// Finds covers for triangles that have none, as one search from their centre does.
+// Finds covers for triangles without one, with one search each from the centre.
 void findCovers(const TriangleMesh& mesh, const ClosestPointTree& surface, double enough,
                 std::vector<SurfacePoint>& covers) {
   parallelFor(covers.size(), kTrianglesPerRange, [&](size_t from, size_t to) {
-    // Triangles that follow one another are mostly neighbours, so what was found for one is a good guess for
-    // the next.
+    // Consecutive triangles are mostly neighbours, so the result for one is a good guess for the next.
     uint32_t near = kNone;
     for (auto t = static_cast<uint32_t>(from); t < to; ++t) {
       if (covers[t].triangle != kNone) continue;
@@ -139,8 +138,8 @@ DeviationGuard::DeviationGuard(const TriangleMesh& original, const ClosestPointT
       parts_(samples),
       middles_(middles(cutsOf(original, parts_, 1))) {}
 
-// A point this near to a sample serves as its surface point: what is left of the limit is for the mesh to
-// move in. The closest point is searched only where none is found.
+// A point this near to a sample is accepted as its surface point, which leaves the rest of the limit for
+// motions of the mesh. The closest point is only searched if none is found.
 double DeviationGuard::nearEnough() const {
   return allowed_ / 2;
 }
@@ -153,7 +152,7 @@ std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
   return isFar;
 }
 
-// The samples of triangles without a cover, and their vertices that are in no triangle with one.
+// The samples of triangles without a cover, and those of their vertices that belong to no covered triangle.
 std::vector<DeviationGuard::OriginalSample> DeviationGuard::uncoveredSamples() const {
   const auto isCovered = [&](uint32_t t) { return coverOfOriginal_[t].triangle != kNone; };
   std::vector<uint32_t> uncovered;
@@ -184,7 +183,7 @@ void DeviationGuard::coverOriginal(const TriangleMesh& mesh, Marks& isFar) {
   if (originalSamples_.empty()) return;
   if (!treeOfMesh) treeOfMesh.emplace(mesh);
   std::vector<uint32_t> farOf(originalSamples_.size(), kNone);
-  // Samples follow one another over a triangle, so that the surface point of one is a good guess for the
+  // Consecutive samples of a triangle are close together, so the surface point of one is a good guess for the
   // next.
   parallelFor(originalSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     uint32_t near = kNone;
@@ -233,7 +232,7 @@ std::vector<uint8_t> DeviationGuard::tooFar(const TriangleMesh& moved, const Mar
   return isFar;
 }
 
-// The samples whose surface point has moved too far from them.
+// The samples that are now too far from their surface points.
 std::vector<DeviationGuard::OriginalSample> DeviationGuard::unclearSamples(const TriangleMesh& moved,
                                                                            const Marks& isChanged) const {
   std::vector<uint8_t> isUnclear(original_.triangleCount(), 0);
@@ -258,7 +257,7 @@ std::vector<DeviationGuard::OriginalSample> DeviationGuard::unclearSamples(const
   return unclear;
 }
 
-// Where the surface point has moved too far from its sample, another point may be close enough.
+// If the surface point has moved too far from its sample, another point may be close enough.
 void DeviationGuard::checkOriginal(const TriangleMesh& moved, const Marks& isChanged, Marks& isFar) const {
   const std::vector<OriginalSample> unclear = unclearSamples(moved, isChanged);
   if (unclear.empty()) return;

@@ -11,15 +11,15 @@ namespace limber {
 
 // Upper bounds on the distance of the vertices of a mesh from a surface: for each vertex its distance at the
 // start, or a twentieth of the mean length of the edges around it, whichever is larger. The budget of the
-// search limits a mean distance, in which paws and tips hardly count, for their area is small; but they
-// swing, so that frequencies depend on them.
+// search limits a mean distance, in which paws and tips hardly count because their area is small; but they
+// swing, and frequencies depend on them.
 class DistanceBounds {
  public:
   // Keeps a reference to the tree over the surface. `topology`: of `start`.
   DistanceBounds(const ClosestPointTree& surface, const TriangleMesh& start, const Topology& topology);
 
-  // `target` where it respects the bound of vertex v; otherwise the point between it and its closest point of
-  // the surface that does. O(log n).
+  // Returns `target` if it respects the bound of vertex v, otherwise a point between it and its closest point
+  // of the surface that does. O(log n).
   Vec3 limited(uint32_t v, const Vec3& target) const;
 
  private:

@@ -20,11 +20,11 @@ struct DampedSystem {
   double damping;                          // mu > 0
 };
 
-// Solves damped systems of meshes whose vertices move while their triangles stay, so that the sparsity
-// pattern does, too: the order of elimination and the structure of the factor are found once.
+// Solves damped systems of meshes whose vertices move while their triangles, and with them the sparsity
+// pattern, stay the same: the elimination order and the structure of the factor are found once.
 class FitSolver {
  public:
-  // `locked`: per vertex, not 0 where it stays in place: its three unknowns are 0. The job must outlive this.
+  // `locked`: per vertex, not 0 if it stays in place: its three unknowns are 0. The job must outlive this.
   FitSolver(const std::vector<uint8_t>& locked, Job& job);
 
   // (A + mu D)^-1 b for each column b of 3 vertexCount numbers; all columns share one factorisation. Throws

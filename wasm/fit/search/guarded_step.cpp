@@ -10,13 +10,13 @@ namespace limber {
 
 namespace {
 
-constexpr double kStep = 0.2;          // largest displacement, of the lowest height around a vertex
+constexpr double kStep = 0.2;          // largest displacement, over the smallest height around a vertex
 constexpr double kLeastCosine = 0.6;   // between a face's normal and the one at the start (53 degrees)
 constexpr double kKeptQuality = 0.8;   // of the quality at the start, which a face must keep ...
-constexpr double kGoodQuality = 0.45;  // ... where it has no more than this
+constexpr double kGoodQuality = 0.45;  // ... if it has no more than this
 constexpr double kRounding = 0.01;     // degrees that storing positions as float32 may cost
-constexpr int kHalvings = 5;           // of the displacements of a bad face, before they are removed
-constexpr int kMostRounds = 50;        // of checks, after which the step is given up
+constexpr int kHalvings = 5;           // of the displacements of a bad face, before they are set to 0
+constexpr int kMostRounds = 50;        // of checks, after which the step is abandoned
 constexpr size_t kPerRange = 2048;
 
 double smallestAngle(const TriangleMesh& mesh, uint32_t t) {
@@ -30,7 +30,7 @@ void forTriangles(const TriangleMesh& mesh, const Body& body) {
   });
 }
 
-// Per vertex the lowest height of the triangles around it.
+// Per vertex the smallest height of the triangles around it.
 std::vector<double> clearanceOf(const TriangleMesh& mesh) {
   std::vector<double> clearance(mesh.vertexCount(), HUGE_VAL);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
@@ -43,7 +43,7 @@ std::vector<double> clearanceOf(const TriangleMesh& mesh) {
   return clearance;
 }
 
-// Per face 1 where a corner of it is marked.
+// Per face: 1 if one of its corners is marked.
 std::vector<uint8_t> trianglesAt(const TriangleMesh& mesh, const std::vector<uint8_t>& isMarked) {
   std::vector<uint8_t> has(mesh.triangleCount(), 0);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
@@ -74,7 +74,7 @@ bool GuardedStep::isSound(const TriangleMesh& mesh, uint32_t t) const {
          (angle_[t] == 0 || smallestAngle(mesh, t) >= angle_[t]);
 }
 
-// Per vertex 1 where it or its mirror image is a corner of a marked face; empty where no face is marked.
+// Per vertex: 1 if it or its mirror image is a corner of a marked face; empty if no face is marked.
 std::vector<uint8_t> GuardedStep::verticesOf(const TriangleMesh& mesh,
                                              const std::vector<uint8_t>& isMarked) const {
   std::vector<uint8_t> has;
@@ -89,7 +89,7 @@ std::vector<uint8_t> GuardedStep::verticesOf(const TriangleMesh& mesh,
   return has;
 }
 
-// Asks about changed faces alone: what was sound and has not moved since is sound.
+// Only checks changed faces: a valid face that has not moved since is still valid.
 std::vector<uint8_t> GuardedStep::badVertices(const TriangleMesh& moved,
                                               const std::vector<uint8_t>& isChanged) const {
   std::vector<uint8_t> isBad(moved.triangleCount(), 0);
@@ -130,7 +130,7 @@ TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd&
       if (stays[v]) moves[v] = {};
   }
   TriangleMesh moved = mesh;
-  std::vector<uint8_t> isChanged;  // per face, since the round before; empty: all are
+  std::vector<uint8_t> isChanged;  // per face, since the last round; empty: all
   for (int round = 0; round <= kMostRounds; ++round) {
     for (uint32_t v = 0; v < n; ++v) moved.positions[v] = mesh.positions[v] + moves[v];
     const std::vector<uint8_t> isBad = badVertices(moved, isChanged);

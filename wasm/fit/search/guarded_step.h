@@ -11,25 +11,26 @@
 
 namespace limber {
 
-// What steps must respect besides the orientation and quality of faces.
+// Limits on steps in addition to the orientation and quality of faces.
 struct StepLimits {
-  // partners[v]: the mirror image of vertex v, which is shortened together with it; empty without a mirror.
+  // partners[v]: the mirror image of vertex v; both displacements are shortened together. Empty without
+  // symmetry.
   std::span<const uint32_t> partners = {};
-  double minAngle = 0;                  // degrees; a face that starts with a smaller one may keep it
+  double minAngle = 0;                  // degrees; a face with a smaller one at the start may keep it
   DeviationGuard* deviation = nullptr;  // limit on the distance of the surface from the original
   const DistanceBounds* distanceBounds = nullptr;  // limits on the distances of vertices from the original
 };
 
-// Moves vertices without turning a face over or ruining its shape, compared with the mesh at the start.
+// Moves vertices without flipping a face or degrading its quality much, compared with the mesh at the start.
 class GuardedStep {
  public:
-  // Keeps references to what the limits refer to.
+  // Keeps references to the objects of the limits.
   explicit GuardedStep(const TriangleMesh& start, const StepLimits& limits = {});
 
   // `mesh` with its vertices moved by `step`, entry 3 v + axis. No vertex moves by more than 0.2 of the
-  // lowest height of the triangles around it. Where a face would make more than 53 degrees with its start,
+  // smallest height of the triangles around it. If a face would turn by more than 53 degrees from the start,
   // lose more than a fifth of its quality (Eq. 9) while that is below 0.45, or violate a limit, the
-  // displacements of its vertices are halved, up to five times, and then removed.
+  // displacements of its vertices are halved, up to five times, and then set to 0.
   TriangleMesh apply(const TriangleMesh& mesh, const Eigen::VectorXd& step) const;
 
  private:
@@ -39,8 +40,8 @@ class GuardedStep {
   std::vector<uint8_t> badVertices(const TriangleMesh& moved, const std::vector<uint8_t>& isChanged) const;
 
   StepLimits limits_;
-  std::vector<Vec3> normal_;             // per face, at the start; 0 for a face without area, which is free
-  std::vector<double> quality_, angle_;  // per face: the least that it must keep; 0 degrees: any angle
+  std::vector<Vec3> normal_;  // per face, at the start; 0 for a face without area, which may turn freely
+  std::vector<double> quality_, angle_;  // per face: lower bounds; 0 degrees: any angle
 };
 
 }  // namespace limber

@@ -92,7 +92,7 @@ Eigen::VectorXd ModalSearch::gaussNewtonStep() {
   return stepWithinBudget(gradient, std::move(solved));
 }
 
-// Spends on the residuals what is left of the budget.
+// Spends the rest of the budget on the residuals.
 Eigen::VectorXd ModalSearch::stepWithinBudget(const Eigen::VectorXd& gradient, Eigen::MatrixXd solved) const {
   const BudgetedStep budgeted(gradient, state_.mismatch, std::move(solved));
   const SurfaceFit& surface = state_.surface;

@@ -15,7 +15,7 @@ namespace limber {
 
 struct SearchLimits {
   double budget = 0;         // largest root mean square distance from the original, in units of the part
-  bool favourSpeed = false;  // where rounds take long: longer steps sooner, and an end where little is gained
+  bool favourSpeed = false;  // if rounds take long: longer steps sooner, and an end when little is gained
   StepLimits steps = {};
   tuning::SearchEffort effort = tuning::kSearch;
 };
@@ -25,14 +25,14 @@ struct SearchLimits {
 //   E(dx) + mu |dx|_D^2 + w |r + J dx|^2
 // over the displacements dx, where E is the surface distance (SurfaceFit), r the mismatch of modes (Mismatch)
 // and J its Jacobian, mu and D the damping (Damping), and w as large as the budget allows (BudgetedStep). A
-// guarded step (GuardedStep) shortens dx where faces would be harmed. To be used within a WholePhase.
+// guarded step (GuardedStep) shortens dx so that no face flips or degrades. To be used within a WholePhase.
 class ModalSearch {
  public:
-  // Keeps references to what the problem and the limits refer to. Throws Cancelled.
+  // Keeps references to the objects of the problem and the limits. Throws Cancelled.
   ModalSearch(const SearchProblem& problem, const SearchLimits& limits, Job& job);
 
-  // The mesh of least merit among all rounds (SearchState::merit). `report` takes the fraction that is done.
-  // Throws Cancelled.
+  // The mesh of least merit among all rounds (SearchState::merit). `report` is called with the completed
+  // fraction. Throws Cancelled.
   TriangleMesh run(const std::function<void(double)>& report);
 
   // Of the mismatch, at the start and of the best mesh.

@@ -21,8 +21,8 @@ void StateEvaluator::evaluate(SearchState& state) {
   target.bind(state.mesh);
   const std::vector<size_t> thicknesses = target.thicknesses();
   std::vector<Mismatch> mismatches(thicknesses.size());
-  // The longest comparison comes first. The surface fit comes second and not last, because it occupies fewer
-  // threads at the end.
+  // The longest comparison comes first. The surface fit comes second and not last, because towards its end it
+  // uses fewer threads.
   const auto evaluateItem = [&](size_t item) {
     const size_t k = item == 0 ? 0 : item - 1;
     if (item != 1)

@@ -11,15 +11,15 @@
 
 namespace limber {
 
-// A mesh during a search, with its evaluation.
+// A mesh in the course of a search, with its evaluation.
 struct SearchState {
   TriangleMesh mesh;
   Mismatch mismatch;         // of its modes
   SurfaceFit surface;        // of its distance from the original
-  ModalTarget::Modes modes;  // where the search for the next mesh's modes starts
+  ModalTarget::Modes modes;  // the start of the search for the next mesh's modes
 
   // The mean square of the mismatch, times the square of the ratio by which the mean square distance exceeds
-  // that of `budget` (a root mean square distance). Less is better.
+  // that of `budget` (a root mean square distance). Lower is better.
   double merit(double budget) const;
 };
 
@@ -31,14 +31,14 @@ struct SearchProblem {
   ModalTarget& target;
 };
 
-// Evaluates modes and surface of meshes that have the triangles of problem.part.result.
+// Evaluates modes and surface distance of meshes that have the triangles of problem.part.result.
 class StateEvaluator {
  public:
-  // Keeps references to what the problem refers to and to the job.
+  // Keeps references to the objects of the problem and to the job.
   StateEvaluator(const SearchProblem& problem, Job& job);
 
-  // Brings all of a state up to date with its mesh. Modes at several thicknesses and the surface fit are
-  // found in parallel. Throws Cancelled.
+  // Updates all of a state for its mesh. Modes at several thicknesses and the surface fit are computed in
+  // parallel. Throws Cancelled.
   void evaluate(SearchState& state);
 
   const Topology& topology() const { return topology_; }

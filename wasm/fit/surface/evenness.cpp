@@ -16,7 +16,7 @@ namespace {
 
 constexpr size_t kPerRange = 2048;
 
-// Neighbourhoods while they are summed up: middles are still to be divided by their weights.
+// Neighbourhoods during summation: middles have yet to be divided by their weights.
 struct NeighbourhoodSums {
   Neighbourhoods around;
   std::vector<double> weight;
@@ -45,7 +45,7 @@ double angleAt(const TriangleMesh& mesh, Corner corner) {
   return std::atan2(length(cross(p, q)), dot(p, q));
 }
 
-// What the triangles around a vertex sum up to: they come in their order, on any number of threads.
+// Sums over the triangles around a vertex, in their order for any number of threads.
 void addTriangles(const TriangleMesh& mesh, const Topology& topology, NormalWeight normalWeight,
                   NeighbourhoodSums& sums) {
   auto& around = sums.around;

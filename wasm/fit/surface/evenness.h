@@ -10,7 +10,8 @@
 
 namespace limber {
 
-// What lies around each vertex: the triangles, or, for a vertex of a border or feature edge, its segments.
+// The surroundings of each vertex: the triangles around it, or, for a vertex of a border or feature edge, its
+// segments.
 struct Neighbourhoods {
   std::vector<double> area;              // a third of the area of the triangles around the vertex
   std::vector<Eigen::Matrix3d> normals;  // covariance of the directions across the surface (the feature edge)
@@ -18,9 +19,9 @@ struct Neighbourhoods {
   std::vector<uint8_t> isOnFeature;      // whether the vertex is on a border or a feature edge
 };
 
-// What a triangle's normal counts in the covariance of a vertex: its area, or its angle at the vertex. By
-// area a corner of three planes, one of which has small triangles, looks like an edge; by angle it does not,
-// for angles do not depend on how planes are cut into triangles.
+// The weight of a triangle's normal in the covariance of a vertex: its area, or its angle at the vertex. With
+// areas, a corner of three planes of which one has small triangles looks like an edge; with angles it does
+// not, because angles do not depend on how planes are triangulated.
 enum class NormalWeight : uint8_t { Area, Angle };
 
 Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const Topology& topology,

@@ -20,7 +20,7 @@ struct FeatureSegments {
   std::vector<std::array<int, 2>> corner;  // per segment: the corners (0, 1 or 2) of that triangle at a and b
 };
 
-// `featureEdges`: the inner edges that count besides the borders; null where there are none.
+// `featureEdges`: interior edges that count in addition to the borders; null if there are none.
 FeatureSegments featureSegments(const TriangleMesh& mesh, const Topology& topology,
                                 const EdgeList* featureEdges);
 

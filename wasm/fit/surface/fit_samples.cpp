@@ -9,7 +9,7 @@ namespace limber {
 
 namespace {
 
-// The centres of the cuts^2 congruent triangles that a triangle is cut into.
+// The centres of the cuts^2 congruent parts of a triangle.
 void sampleTriangle(const TriangleMesh& mesh, uint32_t t, uint32_t cuts,
                     std::vector<FitSamples::OnSurface>& out) {
   const double area = triangleArea(mesh, t);

@@ -9,9 +9,9 @@
 
 namespace limber {
 
-// What a result is fitted to: points of the original, each with its normal and the area that it stands for,
-// and points of the original's borders and feature edges, each with its direction and the length that it
-// stands for. In units of the mesh.
+// The samples that a result is fitted to: points of the original, each with its normal and the area that it
+// represents, and points of the original's borders and feature edges, each with its direction and the length
+// that it represents. In units of the mesh.
 struct FitSamples {
   struct OnSurface {
     Vec3 point, normal;  // the normal has length 1
@@ -26,8 +26,8 @@ struct FitSamples {
 };
 
 // At least `count` points of the surface, about `count` / n on each of its n triangles that have area, evenly
-// within it. Triangles larger than the mean get more in proportion to their area: else a few points would
-// represent a large flat side, whose corners, far from all of them, would be free to move.
+// within it. Triangles larger than the mean get proportionally more: otherwise a few points would represent a
+// large flat side, whose corners, far from all of them, would be free to move.
 FitSamples sampleForFit(const TriangleMesh& original, const Topology& topology, uint32_t count,
                         const EdgeList& featureEdges);
 

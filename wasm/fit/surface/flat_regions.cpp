@@ -9,8 +9,8 @@ namespace limber {
 
 namespace {
 
-constexpr double kFlat = 1e-3;    // largest sine between normals of one plane; float32 rounding makes less
-constexpr double kApart = 0.02;   // least sine between two planes that meet in an edge
+constexpr double kFlat = 1e-3;    // largest sine between normals of one plane; float32 rounding causes less
+constexpr double kApart = 0.02;   // smallest sine between two planes that meet in an edge
 constexpr double kPenalty = 1e4;  // of leaving a plane, relative to the vertex's own diagonal block
 
 using Directions = std::vector<Eigen::Vector3d>;
@@ -33,8 +33,8 @@ bool isInPlane(uint32_t v, const Topology& topology, const Directions& normals, 
                              [&](uint32_t t) { return isAlong(normals[t], plane); });
 }
 
-// The triangles that are connected to `first` through triangles for which belongs(triangle) holds, with
-// `first` itself. Marks them in `seen`.
+// `first` and the triangles that are connected to it through triangles for which belongs(triangle) is true.
+// Marks them in `seen`.
 template <class Belongs>
 std::vector<uint32_t> connectedTriangles(uint32_t first, const Topology& topology, std::vector<uint8_t>& seen,
                                          const Belongs& belongs) {
@@ -54,7 +54,7 @@ std::vector<uint32_t> connectedTriangles(uint32_t first, const Topology& topolog
   return found;
 }
 
-// Adds the part of a plane's normal that is orthogonal to the columns before it (Gram-Schmidt); columns
+// Adds the part of a plane's normal that is orthogonal to the previous columns (Gram-Schmidt); columns
 // without a direction are 0.
 void addAcross(const Eigen::Vector3d& normal, Eigen::Matrix3d& across) {
   const Eigen::Vector3d rest = normal - across * (across.transpose() * normal);

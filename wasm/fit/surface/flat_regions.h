@@ -11,10 +11,10 @@
 namespace limber {
 
 // Keeps flat regions flat while vertices move. A flat region is a connected set of triangles in one plane
-// that contains all triangles around some vertex, and where the original lies in that plane too. The vertices
-// of a region, those of its outline included, move within its plane alone: a vertex of two regions moves
-// along the edge where they meet, and a vertex of three regions does not move. Without this the fit leaves
-// dents that are too shallow to matter for a distance but show in the shading.
+// that contains all triangles around some vertex and over which the original lies in that plane too. The
+// vertices of a region, including those of its outline, only move within its plane: a vertex of two regions
+// moves along the edge where they meet, and a vertex of three regions does not move. Without this the fit
+// leaves dents that are too shallow to matter for a distance but show in the shading.
 class FlatRegions {
  public:
   FlatRegions() = default;  // no region

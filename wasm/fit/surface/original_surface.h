@@ -10,7 +10,7 @@ namespace limber {
 
 // The surface of a part's original, as results are fitted to it.
 struct OriginalSurface {
-  // Keeps a reference to the mesh. `samples`: at least so many points of the surface.
+  // Keeps a reference to the mesh. `samples`: the least number of points of the surface.
   OriginalSurface(const TriangleMesh& original, uint32_t samples, const EdgeList& featureEdges);
 
   ClosestPointTree tree;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kVerticesPerRange = 8192;
 
-// The derivative of the area by the position of a corner of a triangle.
+// The derivative of the area with respect to the position of a corner of a triangle.
 Vec3 areaGradient(const TriangleMesh& mesh, Corner corner) {
   const uint32_t t = corner.triangle();
   const Vec3 opposite =

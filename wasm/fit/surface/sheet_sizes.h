@@ -11,7 +11,8 @@ namespace limber {
 // `mesh`. O(triangles).
 Eigen::Vector2d measureSizes(const TriangleMesh& mesh, const Topology& topology);
 
-// Their derivatives by the positions of the vertices: row 3 v + axis, a column for each. O(triangles).
+// Their derivatives with respect to the positions of the vertices: rows 3 v + axis, one column for each.
+// O(triangles).
 Eigen::MatrixX2d sizeGradients(const TriangleMesh& mesh, const Topology& topology);
 
 }  // namespace limber

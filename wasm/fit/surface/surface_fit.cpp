@@ -20,24 +20,24 @@ namespace {
 namespace constants = tuning::surface;
 
 constexpr size_t kSamplesPerRange = 512;
-constexpr size_t kSearches = 32;  // at most, for each may take memory for every triangle
+constexpr size_t kSearches = 32;  // at most, because each may take memory for every triangle
 
-// The point of the mesh that is closest to a sample; its triangle is kNone where the face there looks the
-// other way.
+// The point of the mesh that is closest to a sample; its triangle is kNone if the face there faces the other
+// way.
 struct Contact : SurfacePoint {
   double distance = 0;  // along the sample's normal, from the mesh to the sample
 };
 
-// What closest points are looked for.
+// The input and output of a search for closest points.
 struct ContactSearch {
   const TriangleMesh& mesh;
   const FitSamples& samples;
-  std::vector<uint32_t>& closestTriangles;  // per sample of the surface: found before, and found now
+  std::vector<uint32_t>& closestTriangles;  // per sample of the surface: the last result, then the new one
   const Job& job;
 };
 
-// Calls `search(point, triangle found before, kNone for the first of a range)` for every sample, and turns
-// what it finds into contacts. One searcher, which `makeSearch()` makes, serves a range of samples.
+// Calls `search(point, previously found triangle, kNone for the first of a range)` for every sample, and
+// converts the results to contacts. Each range of samples uses one searcher, made by `makeSearch()`.
 template <class MakeSearch>
 std::vector<Contact> searchContacts(const ContactSearch& wanted, const MakeSearch& makeSearch) {
   const TriangleMesh& mesh = wanted.mesh;
@@ -68,7 +68,7 @@ std::vector<Contact> findContacts(const ContactSearch& wanted) {
       wanted, [&] { return [&](const Vec3& point, uint32_t near) { return tree.closest(point, near); }; });
 }
 
-// Follows the closest points from the triangles where they were before the mesh was moved, along its surface.
+// Tracks the closest points along the surface, from the triangles where they were before the mesh was moved.
 std::vector<Contact> followContacts(const ContactSearch& wanted, const Topology& topology) {
   return searchContacts(wanted, [&] {
     return [walk = SurfaceWalk(wanted.mesh, topology)](const Vec3& point, uint32_t near) mutable {
@@ -110,13 +110,13 @@ struct FeatureContact : SurfacePoint {
   Eigen::Matrix3d across;
 };
 
-// The quadratic model while it is summed up. The blocks of triangles are made one after the other as the
+// The quadratic model during summation. The blocks of triangles are computed one after the other while the
 // matrix is assembled: all of them would take more memory than the matrix.
 struct ModelSums {
   const TriangleMesh& mesh;
   const FitSamples& samples;
   std::vector<Contact> contacts;  // of the samples of the surface
-  double far = 0;                 // squared distance from which on samples weigh more
+  double far = 0;                 // squared distance from which samples weigh more
   std::vector<FeatureContact> features;
   std::vector<Eigen::Matrix3d> vertices;  // blocks of single vertices
   Eigen::VectorXd gradient;
@@ -191,13 +191,13 @@ Eigen::VectorXd dampingDiagonalOf(const std::vector<double>& area) {
   return diagonal;
 }
 
-// What the samples of one triangle add to the model at one of its corners.
+// The contribution of the samples of one triangle to the model at one of its corners.
 struct CornerTerms {
   CornerBlocks blocks;
   Eigen::Vector3d force;
 };
 
-// Makes the terms of the samples, corner by corner.
+// Computes the terms of the samples, corner by corner.
 class TriangleModel {
  public:
   TriangleModel(const ModelSums& sums, bool keepsUnsampled)
@@ -241,7 +241,7 @@ class TriangleModel {
   ByTriangle contacts_, features_;
 };
 
-// Per vertex the vertices around it and itself, ascending, with blocks of any numbers.
+// Per vertex the vertices around it and itself, ascending, with uninitialised blocks.
 BlockMatrix uninitialisedMatrix(const TriangleMesh& mesh, const Topology& topology) {
   BlockMatrix matrix;
   matrix.start.assign(mesh.vertexCount() + 1, 1);
@@ -262,7 +262,7 @@ BlockMatrix uninitialisedMatrix(const TriangleMesh& mesh, const Topology& topolo
   return matrix;
 }
 
-// Adds what the samples of the surface pull at each vertex to the gradient, too.
+// Also adds the contribution of the samples of the surface to the gradient at each vertex.
 BlockMatrix assemble(const Topology& topology, ModelSums& sums, const TriangleModel& model) {
   const TriangleMesh& mesh = sums.mesh;
   BlockMatrix hessian = uninitialisedMatrix(mesh, topology);

@@ -59,7 +59,7 @@ void ModalTarget::prepareLarge(const TriangleMesh& result, Job& job) {
 }
 
 // The original's shell is prepared while the result's modes are solved. A thread that needs it earlier waits
-// for it; its preparation waits for no such thread, so that there is no deadlock.
+// for it; the preparation never waits for such a thread, so there is no deadlock.
 void ModalTarget::prepare(const TriangleMesh& result, Job& job) {
   solvedAt_ = result.positions;
   std::optional<OriginalModes> modes;
@@ -113,7 +113,7 @@ VibrationOptions ModalTarget::originalOptions() const {
           options_.pinnedOriginal};
 }
 
-// By way of a decimated copy.
+// Solves on a decimated copy.
 ModeBasis ModalTarget::startCoarsely(const TriangleMesh& result, size_t thickness, Job& job) const {
   const VibrationRequest request = resultRequest(thickness);
   const ModeBasis start = coarseVibration(
@@ -139,8 +139,8 @@ Eigen::MatrixXd ModalTarget::carriedToOriginal(const TriangleMesh& result, const
   return transfer(modes.phi.topRows(3 * static_cast<Eigen::Index>(result.vertexCount())), result, binding_);
 }
 
-// Brings last_ up to date with the positions of the result. It is where these are the constructor's and the
-// rotations of edges are still there.
+// Updates last_ for the positions of the result. It is up to date if these are the constructor's and the edge
+// rotations have not been dropped.
 void ModalTarget::vibrate(const TriangleMesh& result, size_t thickness, Job& job) {
   ModeBasis& modes = last_[thickness];
   const bool isWhole = modes.phi.rows() == shell_.unknownCount();

@@ -13,14 +13,14 @@ namespace limber {
 // be used within a WholePhase. Calls for different thicknesses may run in parallel.
 class OriginalModes {
  public:
-  // Keeps a reference to `original` and to what the options refer to. Throws Cancelled.
+  // Keeps references to `original` and to the arrays of the options. Throws Cancelled.
   OriginalModes(const TriangleMesh& original, const VibrationOptions& options, Job& job);
 
   // Whether the original is small enough (kRefinedVertices) for modes to be refined on the mesh itself.
   bool canRefine() const { return shell_.has_value(); }
-  // By inverse iteration from approximate modes, such as those of the result. Needs canRefine.
+  // Solves by inverse iteration from approximate modes, such as those of the result. Requires canRefine.
   ModeBasis refine(const ModeBasis& start, const VibrationRequest& request, Job& job) const;
-  // By way of a decimated copy: see findModes.
+  // Solves on a decimated copy: see findModes.
   ModeBasis findCoarsely(const VibrationRequest& request, Job& job) const;
 
  private:

@@ -12,7 +12,7 @@
 namespace limber {
 namespace {
 
-// Faces of an original from which on a trial takes more than about a minute.
+// Faces of an original above which a trial takes more than about a minute.
 constexpr uint32_t kMostFaces = 20000;
 // The same for cross springs: nets of them buckle everywhere, so that a step takes five times as many solves.
 constexpr uint32_t kMostFacesOfSprings = 10000;
@@ -74,8 +74,8 @@ struct MotionTrial::State {
     return all;
   }
 
-  // Leaves out the scenes in which the time steps of the original do not converge, or take too long, and
-  // those in which steps twice as long do: what steps in time contribute there is not known.
+  // Drops the scenes in which the time steps of the original do not converge or take too long, also with
+  // steps twice as long, because the error of the time steps is then unknown.
   void moveOriginal(Job& job) {
     const std::vector<TrialScene> all = std::move(scenes);
     std::vector<TrialScene> moving;

@@ -10,17 +10,17 @@
 
 namespace limber {
 
-// A body as a solver moves it. What it refers to must outlive the calls that take it.
+// A body as a solver moves it. All objects that it refers to must outlive the calls that take it.
 struct MovingBody {
   const TriangleMesh& mesh;
   const Topology& topology;
-  SolverConstants constants;             // factors on all stretch or all bending constraints are put in here
-  Pins pins = {};                        // of the user
+  SolverConstants constants;             // include factors on all stretch or all bending constraints
+  Pins pins = {};                        // the user's
   std::span<const double> masses = {};   // kg per vertex, each > 0; empty: those of the model's rule
   std::span<const double> factors = {};  // on the stiffness of each of the SolverConstraints; empty: 1
 };
 
-// The masses of a body, by the rule of the model where it has none of its own.
+// The masses of a body, by the rule of the model if it has none of its own.
 inline std::vector<double> massesOf(const MovingBody& body, const SolverModel& model) {
   if (body.masses.empty()) return solverMasses(body.mesh, model.mass, body.constants);
   return {body.masses.begin(), body.masses.end()};

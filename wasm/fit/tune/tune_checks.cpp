@@ -12,7 +12,7 @@
 namespace limber {
 namespace {
 
-constexpr double kSameSize = 0.05;     // relative difference of diagonals that still counts as one size
+constexpr double kSameSize = 0.05;     // relative difference of diagonals that still counts as the same size
 constexpr double kMeanDistance = 0.5;  // of the mean edge of the coarse mesh
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -25,7 +25,7 @@ std::string rounded(double value) {
   return text;
 }
 
-// Of the vertices of one mesh from the surface of the other.
+// The mean distance of the vertices of one mesh from the surface of the other.
 double meanDistance(const TriangleMesh& from, const TriangleMesh& to) {
   double sum = 0;
   for (const ClosestPoint& point : closestPoints(from, to)) sum += point.distance;

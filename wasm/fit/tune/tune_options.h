@@ -16,19 +16,21 @@ enum class TuneKind : int32_t { Global = 0, Vertex = 1, Constraint = 2 };
 
 struct TuneOptions {
   SolverModel model;
-  // What the user's own parameters amount to on the original, and on the coarse mesh untouched.
+  // The constants to which the user's own parameters correspond on the original, and on the untuned coarse
+  // mesh.
   SolverConstants original, result;
   std::vector<uint32_t> pinnedOriginal, pinnedResult;  // vertices; both may be empty
   TuneKind tune = TuneKind::Global;
   MassRule tunedMass = MassRule::Area;  // Area: carried over from the original. Vertex: the same for all
-  bool runsTrial = false;               // whether bodies move before anything is handed over
+  bool runsTrial = false;               // whether a motion trial runs before factors are returned
 };
 
-// Whether a body has the frequencies that are tuned. NoResistance: the solver's energy leaves motions other
-// than rigid ones free. NoConvergence: no search found its modes, which says nothing of how it bends.
+// Whether a body has frequencies that can be tuned. NoResistance: the solver's energy leaves motions other
+// than rigid ones without resistance. NoConvergence: no search found its modes, which implies nothing about
+// its stiffness.
 enum class FrequencyStatus : int32_t { Found = 0, NoResistance = 1, NoConvergence = 2 };
 
-// Mean relative errors of frequencies in %; NaN where a body has no such modes.
+// Mean relative errors of frequencies in %; NaN if a body has no such modes.
 struct TunedFrequencies {
   double errorUntouched = std::numeric_limits<double>::quiet_NaN();  // modes 1 to 10, free
   double errorTuned = std::numeric_limits<double>::quiet_NaN();
@@ -39,8 +41,8 @@ struct TunedFrequencies {
 
 enum class KeptParameters : int32_t { Tuned = 0, Untouched = 1 };
 
-// Deviations in % of the diagonal, see compare/motion_deviation.h. Differences up to the noise floor do not
-// count.
+// Deviations in % of the diagonal, see compare/motion_deviation.h. Differences up to the noise floor are not
+// significant.
 struct TunedMotion {
   std::string scene;
   double untouched = 0, tuned = 0, noiseFloor = 0;
@@ -58,7 +60,7 @@ struct Tuned {
   TunedFrequencies frequencies;
   FrequencyStatus frequencyStatus = FrequencyStatus::Found;
   std::optional<TunedMotion> motion;
-  std::string motionRefusal;  // why there is no `motion` although it was asked for, as a clause; else empty
+  std::string motionRefusal;  // why there is no `motion` although requested, as a clause; else empty
 };
 
 }  // namespace limber

@@ -31,7 +31,7 @@ std::vector<SolverConstraint> constraintsOf(const SolverStiffness& stiffness) {
   return all;
 }
 
-// The factors of a run in all the forms that Tuned has, and the factor of every constraint.
+// The factors of a run in all forms of Tuned, and the factor of every constraint.
 struct Tuning {
   GlobalFactors global;
   std::vector<double> stretchField, bendField, stretchFactors, bendFactors;
@@ -57,7 +57,7 @@ Tuning tune(TuneProblem& problem, const TuneConstraints& constraints, TuneKind k
   return tuning;
 }
 
-// Factors of 1 in the form that the kind asks for.
+// Factors of 1 in the form of the tuning kind.
 Tuning untouchedOf(TuneKind kind, const TuneConstraints& constraints) {
   Tuning tuning;
   tuning.all.assign(constraints.all.size(), 1.0);
@@ -70,13 +70,13 @@ Tuning untouchedOf(TuneKind kind, const TuneConstraints& constraints) {
   return tuning;
 }
 
-// A tuning and what its modes are like.
+// A tuning and the quality of its modes.
 struct Attempt {
   Tuning tuning;
   TunedFrequencies frequencies;
 };
 
-// On an open mesh whose factors are global, stretching may be tuned as well if the motion says so.
+// On an open mesh with global factors, stretching may be tuned as well if the trial favours it.
 std::vector<Attempt> attempts(TuneProblem& problem, TuneConstraints constraints, const TuneOptions& options,
                               Job& job) {
   const double untouched =
@@ -95,7 +95,7 @@ std::vector<Attempt> attempts(TuneProblem& problem, TuneConstraints constraints,
   return all;
 }
 
-// The attempt to hand over: the first one, or what moves best.
+// The attempt to return: the first one, or the one that moves best.
 Attempt chosen(std::vector<Attempt> all, const TrialBodies& bodies, Tuned& tuned, Job& job) {
   if (!bodies.options.runsTrial) return std::move(all[0]);
   std::vector<TuneCandidate> candidates;

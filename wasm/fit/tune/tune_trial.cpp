@@ -9,10 +9,10 @@ namespace {
 
 struct NoisyTrial {
   MotionTrial& trial;
-  double noise;  // % of the diagonal: smaller differences of deviations do not count
+  double noise;  // % of the diagonal: smaller differences of deviations are not significant
 };
 
-// The candidate that deviates least, and by how much; nothing where none can be moved. Of those that are
+// The candidate that deviates least, and its deviation; nothing if none can be moved. Of candidates that are
 // equal within the noise it is the first.
 struct BestCandidate {
   size_t index = 0;

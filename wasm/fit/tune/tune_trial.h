@@ -10,7 +10,7 @@
 
 namespace limber {
 
-// What a trial moves, which decides by the motion itself which factors are handed over.
+// The input of a trial, which chooses factors by the motion itself.
 struct TrialBodies {
   const TriangleMesh& original;
   const TriangleMesh& result;
@@ -18,7 +18,7 @@ struct TrialBodies {
   const std::vector<double>& masses;  // tuned, kg per vertex of the result
 };
 
-// Parameters that might be handed over, best first where motions are equal.
+// Candidate parameters, in order of preference if their motions are equal.
 struct TuneCandidate {
   double stretch = 1, bend = 1;      // on all constraints of a kind
   std::vector<double> factors = {};  // per constraint of the result, times these; empty: 1
@@ -26,15 +26,15 @@ struct TuneCandidate {
 
 struct TrialOutcome {
   std::optional<TunedMotion> motion = {};  // `tuned`: of the best candidate
-  size_t best = 0;           // the candidate that deviates least; of no meaning where untouched is kept
+  size_t best = 0;           // the candidate that deviates least; undefined if the untuned result is kept
   std::string refusal = {};  // why there is no `motion`, as a clause; else empty
 };
 
 // Moves original, the result with factors of 1, and the result with each candidate. Deviations that differ by
 // no more than the noise floor of the trial are equal: of equal ones the first candidate is best, and tuned
-// factors, which the frequencies speak for, are kept. No motion where there is
-// no trial (see MotionTrial::refusal, and Morley's element moves with a factor for each kind alone), or where
-// untouched or all candidates cannot be moved. Throws Cancelled.
+// factors, which fit the frequencies, are kept. There is no motion if there is no trial (see
+// MotionTrial::refusal; Morley's element only moves with one factor for each kind), or if the untuned result
+// or all candidates cannot be moved. Throws Cancelled.
 TrialOutcome tryMotion(const TrialBodies& bodies, const std::vector<TuneCandidate>& candidates, Job& job);
 
 }  // namespace limber

@@ -15,7 +15,7 @@ namespace {
 // The modes of an original with at most this many vertices are searched from scratch, which takes little
 // time; those of a larger one are refined from those of the result.
 constexpr uint32_t kSearchedVertices = 3000;
-constexpr int kMargin = 8;  // extra modes of the result, as the order of modes may differ
+constexpr int kMargin = 8;  // extra modes of the result, because the order of modes may differ
 
 SolverVibration vibrationOf(const SolverPart& part, std::span<const double> masses,
                             const std::vector<uint32_t>& pinned) {
@@ -26,7 +26,7 @@ std::vector<double> ones(const SolverPart& part) {
   return std::vector<double>(part.stiffness->count(), 1.0);
 }
 
-// Does what `find` does. False where that does not converge.
+// Calls `find`. Returns false if that does not converge.
 template <typename Find>
 bool converges(const Find& find) {
   try {
@@ -46,7 +46,7 @@ PartModesPair::PartModesPair(const PartPair& pair, const PartPins& pins, const T
       original_(vibrationOf(pair.original, masses.original, pins.original)),
       result_(vibrationOf(pair.result, masses.result, pins.result)) {}
 
-// Fewer zero eigenvalues than rigid motions are a search that has missed some.
+// Fewer zero eigenvalues than rigid motions mean that the search has missed some.
 template <typename Find>
 EigenSolution PartModesPair::find(int rigidMotions, const Find& find) {
   EigenSolution solution;
@@ -61,8 +61,8 @@ EigenSolution PartModesPair::find(int rigidMotions, const Find& find) {
 
 void PartModesPair::solveResult(double scale, Job& job) {
   const std::vector<double> factors = ones(pair_->result);
-  // Asked first, because no search converges to one of hundreds of motions without resistance. Pins leave
-  // none that the free body has not.
+  // Checked first, because no search converges among hundreds of motions without resistance. Pins only remove
+  // such motions.
   if (result_.pinned().empty() && result_.countNoise(factors, job) > 0) {
     status_ = FrequencyStatus::NoResistance;
     return;

@@ -14,33 +14,34 @@ struct TuneMasses {
   std::span<const double> original, result;  // kg per vertex of the bodies
 };
 
-// The modes of one part in one clamping: those of the original, and those of the result for any factors,
-// matched to them.
+// The modes of one part in one clamping: those of the original, and the matching ones of the result for any
+// factors.
 class PartModesPair {
  public:
-  // Refers to `pair`. `count`: modes of the original that are wanted.
+  // Keeps a reference to `pair`. `count`: wanted modes of the original.
   PartModesPair(const PartPair& pair, const PartPins& pins, const TuneMasses& masses, int count);
 
   // Finds the modes of the result with factors of 1, then those of the original, whose first eigenvalue is
-  // near. Throws Cancelled, and std::runtime_error where memory is short.
+  // close. Throws Cancelled, and std::runtime_error if memory is short.
   void solveResult(double scale, Job& job);
   void solveOriginal(Job& job);
-  // Whether rigid motions alone meet no resistance on the result, and on the original, and their modes were
-  // found: of the result for the factors of the last call.
+  // Whether the modes of the result and of the original were found, and no motions but rigid ones are without
+  // resistance; for the result with the factors of the last call.
   bool isDefinite() const { return status_ == FrequencyStatus::Found; }
   FrequencyStatus status() const { return status_; }
 
-  // Modes of the result for other factors of its constraints, to about 1e-4 in eigenvalues. Where that leaves
-  // it without enough of them, they stay as they were, so that they can be followed to better factors.
+  // Finds the modes of the result for other factors of its constraints, to about 1e-4 in eigenvalues. If too
+  // few are found, the previous ones are kept, so that they can be tracked to better factors.
   void follow(std::span<const double> factors, Job& job);
-  // The same part with other masses of the result, vertices of the body; its modes have to be followed.
+  // The same part with other masses of the result, per vertex of the body; its modes have yet to be tracked.
   void setResultMasses(std::span<const double> masses);
 
   // Of the original, ascending; at most `count`.
   const Eigen::VectorXd& wanted() const { return wanted_; }
-  // Of the result: the eigenvalue that stands for mode i of the original.
+  // Of the result: the eigenvalue that corresponds to mode i of the original.
   double eigenvalue(size_t i) const { return modes_.lambda[partner_[i]]; }
-  // The modes of the result that are nearly equal to that one, itself among them, and all modes.
+  // The range of modes of the result with nearly the same eigenvalue as that one, which is included; and all
+  // modes.
   const ModeRange& clusterOf(size_t i) const;
   const ModeBasis& modes() const { return modes_; }
   double firstEigenvalue() const { return modes_.lambda[0]; }
@@ -49,7 +50,7 @@ class PartModesPair {
 
  private:
   EigenSolution originalModes(Job& job) const;
-  // Sets the status by what `find` finds with rigid motions of that number.
+  // Sets the status from the result of `find` for this number of rigid motions.
   template <typename Find>
   EigenSolution find(int rigidMotions, const Find& find);
   void match();
@@ -59,7 +60,7 @@ class PartModesPair {
   int count_;
   SolverVibration original_, result_;
   FrequencyStatus status_ = FrequencyStatus::Found;
-  ModeBasis modes_;  // of the result, some more than wanted
+  ModeBasis modes_;  // of the result, a few more than wanted
   Eigen::VectorXd wanted_;
   Eigen::MatrixXd expected_;  // T^T M phi of the original: its inner products with shapes of the result
   std::vector<Eigen::Index> partner_;
@@ -79,11 +80,11 @@ class ClampedModes {
                int count);
 
   ClampKind kind() const { return kind_; }
-  // Solves both bodies. `scales`: per part of the body a rough size of its first eigenvalue. Throws as
-  // PartModesPair; stops early where the energy of a solver leaves motions without resistance.
+  // Solves both bodies. `scales`: per part of the body a rough estimate of its first eigenvalue. Throws as
+  // PartModesPair; stops early if the energy of a solver leaves motions without resistance.
   void solve(const std::vector<double>& scales, Job& job);
   bool isDefinite() const { return status() == FrequencyStatus::Found; }
-  // That of the first part whose modes are not found, if there is one.
+  // The status of the first part whose modes are not found, if there is one.
   FrequencyStatus status() const;
 
   // `factors`: per constraint of the result's body.
@@ -94,7 +95,7 @@ class ClampedModes {
   const std::vector<Wanted>& wanted() const { return wanted_; }
   // ln(lambda / lambda of the original) of mode i.
   double residual(size_t i) const;
-  // Mean relative errors of frequencies of modes first .. last - 1 in %; NaN where the original has fewer.
+  // Mean relative errors of frequencies of modes first .. last - 1 in %; NaN if the original has fewer.
   double meanError(size_t first, size_t last) const;
   const std::vector<PartModesPair>& parts() const { return parts_; }
 

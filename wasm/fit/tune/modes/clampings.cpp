@@ -27,7 +27,7 @@ std::vector<uint32_t> verticesAtEnd(const TriangleMesh& mesh, const Bounds& box,
   return vertices;
 }
 
-// Pins of a part of the original carried over; points within a triangle become its closest corner.
+// Pins of a part of the original, carried over; a point within a triangle becomes its closest corner.
 std::vector<uint32_t> carriedVertices(const PartPair& pair, const std::vector<uint32_t>& pinned) {
   const Pins pins = carryPins(pair.original.mesh, pinned, pair.result.mesh);
   std::vector<uint32_t> vertices = pins.vertices;

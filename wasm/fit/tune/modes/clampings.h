@@ -12,21 +12,21 @@ namespace limber {
 // of the bounding box of the original.
 enum class ClampKind : uint8_t { Free, LowerEnd, UserPins, OtherEnd };
 
-// The pinned vertices of one part in one clamping, of both bodies, by ids of the part; none where it is free.
+// The pinned vertices of one part in one clamping, of both bodies, by ids of the part; empty if it is free.
 struct PartPins {
   size_t pair;  // index of the part
   std::vector<uint32_t> original, result;
 };
 
-// The parts that take part in a clamping: all of them where they are free; else those whose pins leave no
-// rigid motion on either body.
+// The parts that take part in a clamping: all of them if free, otherwise those whose pins leave no rigid
+// motion on either body.
 struct Clamping {
   ClampKind kind = ClampKind::Free;
   std::vector<PartPins> parts;
 };
 
-// Free first, then the clampings that some part takes part in. Ends are a tenth of the longest side; their
-// pins are carried over to the coarse mesh as transfer/carry_pins.h does.
+// Free first, then the clampings in which at least one part takes part. Ends are a tenth of the longest side;
+// their pins are carried over to the coarse mesh by transfer/carry_pins.h.
 std::vector<Clamping> findClampings(const TriangleMesh& original, const std::deque<PartPair>& pairs,
                                     const TuneOptions& options);
 

@@ -6,9 +6,9 @@ namespace limber {
 namespace {
 
 constexpr double kNearlyEqual = 0.01;  // relative difference of eigenvalues
-constexpr double kClearMac = 0.5;      // a mode cannot share more with two spans
+constexpr double kClearMac = 0.5;      // no mode can share more than this with two spans
 
-// The modes of the coarse mesh that stand for a cluster of the original: ascending, at most as many.
+// The modes of the coarse mesh that correspond to a cluster of the original: ascending, at most as many.
 std::vector<Eigen::Index> clearPartners(const Eigen::MatrixXd& overlap, const ModeRange& cluster,
                                         const std::vector<uint8_t>& isTaken) {
   const Eigen::Index count = cluster.last - cluster.first;

@@ -13,7 +13,7 @@
 namespace limber {
 namespace {
 
-constexpr double kLeastShare = 1e-3;  // of the area of a body, of a part that matters
+constexpr double kLeastShare = 1e-3;  // of the area of a body: smaller parts do not matter
 
 struct ConnectedBody {
   const TriangleMesh& mesh;
@@ -37,8 +37,8 @@ ConnectedBody bodyOf(const TriangleMesh& mesh) {
   return body;
 }
 
-// Per part of the original that matters the part of the result that most of its vertices are closest to, each
-// once.
+// For each part of the original that matters, the part of the result to which most of its vertices are
+// closest; each is used once.
 std::vector<uint32_t> partners(const ConnectedBody& original, const ConnectedBody& result) {
   if (original.matters.size() != result.matters.size())
     throw std::invalid_argument("Of parts with at least a thousandth of the area the original has " +
@@ -64,7 +64,7 @@ std::vector<uint32_t> partners(const ConnectedBody& original, const ConnectedBod
   return partner;
 }
 
-// Where the constraints of each part stand among those of the body: each part keeps their order.
+// The indices of each part's constraints among those of the body, in the same order.
 std::vector<std::vector<uint32_t>> constraintsOfParts(const ConnectedBody& body,
                                                       const SolverStiffness& whole) {
   std::vector<std::vector<uint32_t>> constraints(body.parts.parts.size());

@@ -15,22 +15,23 @@ namespace limber {
 struct SolverPart {
   TriangleMesh mesh;
   std::vector<uint32_t> vertices;     // per vertex: its id in the body
-  std::vector<uint32_t> constraints;  // per constraint its index in the body; of results alone
+  std::vector<uint32_t> constraints;  // per constraint its index in the body; only for results
   std::unique_ptr<const SolverStiffness> stiffness;
   std::shared_ptr<const FactorStructure> structure;
 
-  // The values of this part out of those of the body.
+  // The values of this part, selected from those of the body.
   std::vector<double> vertexValues(std::span<const double> ofBody) const;
   std::vector<double> constraintValues(std::span<const double> ofBody) const;
 };
 
-// A part of the original and the part of the coarse mesh that stands for it.
+// A part of the original and the corresponding part of the coarse mesh.
 struct PartPair {
   SolverPart original, result;
   std::vector<ClosestPoint> points;  // per vertex of the original part: its closest point of the other
 
-  // Carries values per vertex of the original part over to the result: what each vertex has goes to the
-  // corners of its closest point by barycentric weights. Rows 3 v + c for three values a vertex.
+  // Carries values per vertex of the original part over to the result: the value of each vertex is
+  // distributed to the corners of its closest point by barycentric weights. Rows 3 v + c for three values per
+  // vertex.
   Eigen::MatrixXd carryToResult(const Eigen::MatrixXd& values) const;
 };
 
@@ -44,8 +45,8 @@ struct TuneBodies {
 };
 
 // Pairs the parts of both bodies that matter: those with at least a thousandth of the area. Pairs ascend by
-// the parts of the original. A deque, because others refer to its elements. Throws std::invalid_argument with
-// a sentence if the numbers of parts differ, and Cancelled.
+// the parts of the original. A deque, because other objects refer to its elements. Throws
+// std::invalid_argument with a sentence if the numbers of parts differ, and Cancelled.
 std::deque<PartPair> pairParts(const TuneBodies& bodies, Job& job);
 
 }  // namespace limber

@@ -6,11 +6,11 @@
 
 namespace limber {
 
-// In logarithms: factors lie between 0.1 and 10.
+// The range of the logarithm of a factor: factors lie between 0.1 and 10.
 inline constexpr double kFactorRange = std::numbers::ln10;
-// The range is two standard deviations of what a factor may be before anything has been measured.
+// The range is two standard deviations of the prior of a factor.
 inline constexpr double kPriorDeviation = kFactorRange / 2;
-// Squared residuals below this are the eigensolver's.
+// Squared residuals below this are errors of the eigensolver.
 inline constexpr double kLeastScatter = kRoughTolerance * kRoughTolerance;
 
 }  // namespace limber

@@ -11,18 +11,18 @@ namespace {
 
 constexpr int kRounds = 20;
 constexpr double kGoodError = 0.25;     // %, of the fitted frequencies
-constexpr double kLongestChange = 0.7;  // of a logarithm in a round, at first
+constexpr double kLongestChange = 0.7;  // initial limit on the change of a logarithm in a round
 constexpr double kDamping = 1e-4;  // of the mean diagonal of J J^T: modes of one frequency share their rows
-constexpr double kShortestChange = 0.05;  // longest changes are halved down to this where errors grow
-constexpr int kPasses = 8;                // to find the unknowns that their bounds stop
+constexpr double kShortestChange = 0.05;  // the limit is halved down to this if errors grow
+constexpr int kPasses = 8;                // to find the unknowns that reach their bounds
 
 // How far each logarithm may change in a round.
 struct Bounded {
   Eigen::VectorXd least, most;
 };
 
-// The change of the logarithms of least norm that takes the residuals to 0 at first order, within bounds:
-// unknowns that would leave theirs stop there, and the others take over.
+// The change of the logarithms of least norm that makes the residuals 0 to first order, within bounds:
+// unknowns that would exceed theirs stop there, and the others compensate.
 Eigen::VectorXd leastNormStep(Eigen::MatrixXd jacobian, const Eigen::VectorXd& residual,
                               const Bounded& bounds) {
   Eigen::VectorXd step = Eigen::VectorXd::Zero(jacobian.cols()), left = residual;
@@ -34,7 +34,7 @@ Eigen::VectorXd leastNormStep(Eigen::MatrixXd jacobian, const Eigen::VectorXd& r
     const Eigen::VectorXd free = -jacobian.transpose() * gram.ldlt().solve(left);
     bool isStopped = false;
     for (Eigen::Index c = 0; c < step.size(); ++c) {
-      if (free[c] == 0) continue;  // stopped before, or without any effect
+      if (free[c] == 0) continue;  // already at its bound, or without any effect
       step[c] = std::clamp(free[c], bounds.least[c], bounds.most[c]);
       if (step[c] == free[c] || pass + 1 == kPasses) continue;
       isStopped = true;

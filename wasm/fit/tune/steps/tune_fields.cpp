@@ -12,12 +12,12 @@ namespace limber {
 namespace {
 
 constexpr int kRounds = 6;
-constexpr double kSettled = 3e-3;  // a step in logarithms below which nothing is gained
+constexpr double kSettled = 3e-3;  // a step in logarithms below which there is no gain
 
 // Smooth fields over the vertices of a mesh: the inverse covariance m + l^2 S up to a factor, m the areas of
-// the vertices over their mean and S differences along edges. In an even mesh, whose vertices have six edges
-// of length e, sum_j (x_i - x_j) is -(3/2) e^2 times the second derivatives of x; so l^2 S has the weight
-// (2/3) (l / e)^2 on every edge.
+// the vertices over their mean and S differences along edges. In a regular mesh, whose vertices have six
+// edges of length e, sum_j (x_i - x_j) is -(3/2) e^2 times the second derivatives of x; so l^2 S has the
+// weight (2/3) (l / e)^2 on every edge.
 SparsePencil smoothness(const TriangleMesh& mesh, double length) {
   const Topology topology = buildTopology(mesh);
   const std::vector<double> areas = lumpedAreas(mesh);
@@ -49,7 +49,7 @@ double totalArea(const TriangleMesh& mesh) {
   return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
-// Unknowns: logarithms of the bending field, then of the stretch field where that is tuned.
+// Unknowns: logarithms of the bending field, then of the stretch field if that is tuned.
 class FieldUnknowns {
  public:
   FieldUnknowns(const TuneConstraints& constraints, const GlobalFactors& start)
@@ -66,7 +66,7 @@ class FieldUnknowns {
     return all;
   }
 
-  // The unknowns nearest to these with which factors keep to their range.
+  // The nearest unknowns for which factors are within their range.
   Eigen::VectorXd bounded(Eigen::VectorXd x) const {
     const auto bound = [](auto field, double factor) {
       const double middle = -std::log(factor);
@@ -77,7 +77,7 @@ class FieldUnknowns {
     return x;
   }
 
-  // Derivatives by the unknowns from those by the logarithms of factors.
+  // Derivatives with respect to the unknowns from those with respect to the logarithms of factors.
   Eigen::MatrixXd gathered(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& x) const {
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(jacobian.rows(), count());
     for (size_t c = 0; c < constraints_.all.size(); ++c) {

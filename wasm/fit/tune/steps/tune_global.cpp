@@ -9,10 +9,10 @@ namespace limber {
 namespace {
 
 constexpr int kRounds = 8;
-constexpr int kWorseRounds = 2;    // in a row end the search: one alone may be modes that change partners
+constexpr int kWorseRounds = 2;    // in a row end the search: a single one may be modes that change partners
 constexpr double kSettled = 0.01;  // a step in logarithms: half a percent in frequencies
 
-// The derivatives by the logarithms of the two factors: fitted modes x 2.
+// The derivatives with respect to the logarithms of the two factors: fitted modes x 2.
 Eigen::MatrixXd sumsByKind(const Eigen::MatrixXd& jacobian, size_t stretchCount) {
   const auto stretches = static_cast<Eigen::Index>(stretchCount);
   Eigen::MatrixXd sums(jacobian.rows(), 2);

@@ -9,7 +9,7 @@ namespace limber {
 namespace {
 
 // The first eigenvalue of a beam clamped at one end over that of a free one is (1.875 / 4.730)^4 = 0.025;
-// this only starts the search for clamped modes.
+// only used to start the search for clamped modes.
 constexpr double kClampedOverFree = 0.03;
 constexpr double kNoError = std::numeric_limits<double>::quiet_NaN();
 
@@ -30,8 +30,8 @@ size_t fittedModes(const ClampedModes& clamping) {
   return clamping.kind() == ClampKind::Free ? std::min<size_t>(count, 20) : count;
 }
 
-// The derivatives of the logarithms of the eigenvalues of a part's result by the logarithms of its factors:
-// constraints x modes 0 .. count - 1.
+// The derivatives of the logarithms of the eigenvalues of a part's result with respect to the logarithms of
+// its factors: constraints x modes 0 .. count - 1.
 Eigen::MatrixXd shares(const PartModesPair& part, const Eigen::VectorXd& factors, Eigen::Index count) {
   const ModeBasis& modes = part.modes();
   Eigen::MatrixXd shares = part.pair().result.stiffness->energies(modes.phi.leftCols(count));
@@ -68,7 +68,7 @@ void fillRows(const ClampedModes& clamping, const std::vector<double>& factors, 
   }
 }
 
-// The error of the first ten modes at other factors; NaN where these leave motions without resistance.
+// The error of the first ten modes at other factors; NaN if these leave motions without resistance.
 double followedError(ClampedModes modes, const std::vector<double>& factors, Job& job) {
   modes.follow(factors, job);
   return modes.isDefinite() ? modes.meanError(0, 10) : kNoError;
@@ -77,7 +77,7 @@ double followedError(ClampedModes modes, const std::vector<double>& factors, Job
 }  // namespace
 
 TuneProblem::TuneProblem(const TuneSetup& setup, Job& job) : factors_(setup.constraintCount, 1.0) {
-  std::vector<double> scales;  // none for the free parts: they estimate it themselves
+  std::vector<double> scales;  // empty for the free parts, which estimate it themselves
   for (const Clamping& clamping : setup.clampings) {
     ClampedModes& modes =
         clampings_.emplace_back(setup.pairs, clamping, setup.masses, wantedModes(clamping.kind));

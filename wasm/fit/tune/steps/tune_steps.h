@@ -9,7 +9,7 @@
 
 namespace limber {
 
-// The constraints of a body: what their factors are made of.
+// The constraints of a body from which factors are computed.
 struct TuneConstraints {
   const TriangleMesh& mesh;
   std::span<const SolverConstraint> all;  // stretch constraints first
@@ -23,8 +23,8 @@ struct GlobalFactors {
 
 // One factor for each kind of constraint: the maximum a posteriori estimate of their logarithms by
 // Gauss-Newton steps, with a Gaussian prior of mean 0 and standard deviation ln(10) / 2 and noise of the
-// variance of the residuals. So modes decide where they can, and a factor that no mode depends on stays 1.
-// Leaves the problem at the result. All three keep to [0.1, 10]. Throws Cancelled.
+// variance of the residuals. The modes thus determine the factors that they depend on; all others stay 1.
+// Leaves the problem at the result. All three functions keep factors in [0.1, 10]. Throws Cancelled.
 GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constraints, Job& job);
 
 struct VertexFields {
@@ -32,19 +32,19 @@ struct VertexFields {
   GlobalFactors factors;              // times these
 };
 
-// Smooth fields per vertex times `start`; a constraint has the mean of its vertices. Their logarithms have a
-// Gaussian prior whose correlation length is a half wave of the highest fitted mode, sqrt(area / modes), and
-// whose variance explains half of the squared residuals that `start` leaves; the other half counts as
-// scatter.
+// Smooth fields per vertex times `start`; the factor of a constraint is the mean over its vertices. Their
+// logarithms have a Gaussian prior whose correlation length is half a wavelength of the highest fitted mode,
+// sqrt(area / modes), and whose variance explains half of the squared residuals that `start` leaves; the
+// other half counts as noise.
 VertexFields tuneFields(TuneProblem& problem, const TuneConstraints& constraints, const GlobalFactors& start,
                         Job& job);
 
-// A factor for each constraint from `start` on: least-norm steps in logarithms, at most 0.7 a round, until
-// the mean error of the fitted frequencies is below 0.25 % or falls no more, at most 20 rounds.
+// A factor for each constraint, starting from `start`: least-norm steps in logarithms, at most 0.7 per round,
+// until the mean error of the fitted frequencies is below 0.25 % or no longer falls, in at most 20 rounds.
 std::vector<double> tuneConstraints(TuneProblem& problem, const TuneConstraints& constraints,
                                     const GlobalFactors& start, Job& job);
 
-// The factors on all constraints for one factor for each kind.
+// Expands one factor for each kind to factors on all constraints.
 std::vector<double> factorsOf(const GlobalFactors& factors, const TuneConstraints& constraints);
 
 }  // namespace limber

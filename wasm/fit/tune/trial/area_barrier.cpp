@@ -9,7 +9,7 @@
 namespace limber {
 namespace {
 
-// Area over that at rest from which on a triangle resists.
+// The area over that at rest below which the barrier acts.
 constexpr double kCompression = std::numbers::inv_sqrt3;
 
 Vec3 doubleNormal(const std::array<uint32_t, 3>& vertices, std::span<const Vec3> positions) {
@@ -39,7 +39,7 @@ bool AreaBarrier::isActive(size_t i, std::span<const Vec3> positions) const {
   return squaredLength(doubleNormal(triangles_[i].vertices, positions)) < least * least;
 }
 
-// The derivative of twice the area by a corner is the unit normal x the edge opposite to it.
+// The derivative of twice the area with respect to a corner is the unit normal x the edge opposite to it.
 ConstraintStrain AreaBarrier::strainAt(size_t i, std::span<const Vec3> positions) const {
   ConstraintStrain result;
   const auto& [vertices, root, least] = triangles_[i];

@@ -5,7 +5,7 @@
 namespace limber {
 namespace {
 
-// The most parts that a step is divided into.
+// A step is divided into at most this many.
 constexpr int kMostParts = 16;
 
 double inertiaOfBdf2(double step) {

@@ -69,7 +69,7 @@ void ImplicitSystem::addPointSprings(const ConstrainedBody& body, double inertia
   }
 }
 
-// Vertices are coupled where a constraint or a pinned point has both.
+// Vertices are coupled if a constraint or a pinned point involves both.
 void ImplicitSystem::buildPattern() {
   std::vector<std::vector<uint32_t>> neighbours(free_.size());
   const auto couple = [&](std::span<const uint32_t> vertices) {
@@ -189,7 +189,7 @@ Eigen::VectorXd ImplicitSystem::linearise(std::span<const Vec3> positions, Stres
   return gradient;
 }
 
-// Of block (i, j): its columns are 3 times the number of neighbours of j apart.
+// For block (i, j): the stride of its columns is 3 times the number of neighbours of j.
 uint32_t ImplicitSystem::blockStart(uint32_t i, uint32_t j) const {
   const auto first = neighbours_.begin() + neighbourStart_[j],
              last = neighbours_.begin() + neighbourStart_[j + 1];

@@ -15,26 +15,26 @@
 
 namespace limber {
 
-// A body whose motion is governed by the constraints of a solver.
+// A body that moves under the constraints of a solver.
 struct ConstrainedBody {
   const SolverConstraints& constraints;
-  const TriangleMesh& mesh;         // whose triangles the pinned points refer to
+  const TriangleMesh& mesh;         // pinned points refer to its triangles
   std::span<const double> masses;   // kg per vertex, each > 0
   std::span<const double> factors;  // on the stiffness of each constraint, >= 0; empty: 1
   Pins pins = {};
-  double barrierStiffness = 0;  // N/m, >= 0: of the AreaBarrier
+  double barrierStiffness = 0;  // of the AreaBarrier, N/m, >= 0
 };
 
 // The elastic energy of a body with its derivatives, as a sparse pencil over the unknowns of its free
-// vertices: those that are not pinned, three unknowns each, in the order of vertices. Pinned points are tied
-// to their targets by springs that are `kPointStiffness` times as stiff as the body and its inertia at their
-// triangle: so much less than the body itself do they yield. Positions are in metres.
+// vertices: those that are not pinned, three unknowns each, in vertex order. Pinned points are tied to their
+// targets by springs that are `kPointStiffness` times as stiff as the body and its inertia at their triangle,
+// and yield by that much less than the body. Positions are in metres.
 class ImplicitSystem {
  public:
   static constexpr double kPointStiffness = 1e4;
 
-  // Finds the pattern and the elimination order. `inertia`: 1/s2, what masses are multiplied by in the
-  // matrices to be solved; it only serves the stiffness of pinned points. Refers to the constraints and
+  // Finds the pattern and the elimination order. `inertia`: 1/s2, the factor of the masses in the matrices to
+  // be solved; it only determines the stiffness of pinned points. Keeps a reference to the constraints and
   // copies the rest. Throws Cancelled.
   ImplicitSystem(const ConstrainedBody& body, double inertia, const Job& job);
 
@@ -44,17 +44,18 @@ class ImplicitSystem {
   const SolverConstraints& constraints() const { return constraints_; }
   std::span<const double> masses() const { return masses_; }
 
-  // The targets of pinned points, in metres.
+  // Sets the targets of pinned points, in metres.
   void setPointTargets(std::span<const Vec3> targets);
 
-  // Joules, with the springs of pinned points and the area barrier. The same to the last bit for any number
-  // of threads.
+  // The energy in joules, including the springs of pinned points and the area barrier. The same to the last
+  // bit for any number of threads.
   double energyAt(std::span<const Vec3> positions) const;
-  // Its derivative by the unknowns, N. Also sets K of the pencil to an approximation of its second
-  // derivative: J^T J and what stress adds, positive semidefinite for tension alone.
+  // The derivative of the energy with respect to the unknowns, N. Also sets K of the pencil to an
+  // approximation of the second derivative: J^T J plus the contribution of stress, which is positive
+  // semidefinite for tension only.
   Eigen::VectorXd linearise(std::span<const Vec3> positions, StressKind kind);
 
-  // K as last linearised and M: the masses of the free vertices.
+  // K of the last linearisation, and M: the masses of the free vertices.
   const SparsePencil& pencil() const { return pencil_; }
   std::shared_ptr<const FactorStructure> structure() const { return structure_; }
 
@@ -70,8 +71,8 @@ class ImplicitSystem {
     ConstraintStrain strain;
     Eigen::Matrix4d stress = Eigen::Matrix4d::Zero();
   };
-  // Where block (k-th, l-th vertex) of a constraint begins among the values of K: entry 4 k + l; kNone where
-  // a vertex is pinned.
+  // The index of the first value of block (k-th, l-th vertex) of a constraint in K: entry 4 k + l; kNone if a
+  // vertex is pinned.
   using BlockStarts = std::array<uint32_t, 16>;
 
   void numberVertices(const Pins& pins);
@@ -97,7 +98,8 @@ class ImplicitSystem {
   std::vector<uint32_t> free_, indexOf_;  // free vertices, and per vertex its index among them or kNone
   AreaBarrier barrier_;
   std::vector<PointSpring> points_;
-  // Vertex index i has the couplings neighbours_[neighbourStart_[i] .. neighbourStart_[i + 1]), ascending.
+  // The free vertex of index i has the couplings neighbours_[neighbourStart_[i] .. neighbourStart_[i + 1]),
+  // ascending.
   std::vector<uint32_t> neighbourStart_, neighbours_;
   std::vector<BlockStarts> starts_;   // per constraint
   std::vector<Linearisation> parts_;  // per constraint, of the last linearisation

@@ -11,37 +11,37 @@
 namespace limber {
 namespace {
 
-// A step ends when what is left to do is less than this fraction of the size of the motion, as the
-// contraction of Newton's steps tells (Hairer and Wanner 1996, IV.8). An error of a step gives the body a
-// velocity, so that errors that all point the same way sum to half the square of the number of steps: 0.5 %
-// of the motion in 100 steps.
+// A step ends when the estimated remaining error is less than this fraction of the size of the motion; the
+// estimate comes from the contraction of the Newton steps (Hairer and Wanner 1996, IV.8). An error of a step
+// gives the body a velocity, so that errors of the same sign grow with half the square of the number of
+// steps: to 0.5 % of the motion in 100 steps.
 constexpr double kTolerance = 1e-6;
-// What may be left to do, in the norm of energy, of a step that does not get nearer, as where a sheet
-// buckles.
+// The accepted remaining error, in the energy norm, of a step that no longer improves, for example when a
+// sheet buckles.
 constexpr double kLooseTolerance = 1e-4;
-// Newton's equations are solved until the preconditioned residual has shrunk by this factor, which is what
-// Newton's steps then contract by.
+// The Newton equations are solved until the preconditioned residual has shrunk by this factor, which is then
+// the contraction of the Newton steps.
 constexpr double kForcing = 0.01;
-// Newton's steps with a factorisation of an earlier step that contract by less than this renew it.
+// If Newton steps with a factorisation of an earlier time step contract by less than this, it is renewed.
 constexpr double kSlow = 0.1;
 constexpr int kMostIterations = 60;
 // Sufficient decrease of a line search (Nocedal and Wright 2006, ch. 3), the fraction by which it shortens a
 // step, and its most shortenings.
 constexpr double kDecrease = 1e-4, kShortening = 0.5;
 constexpr int kMostShortenings = 20;
-// A step that is expected to decrease the objective by less than this fraction is not checked: differences
-// as small may be rounding.
+// A step that is expected to decrease the objective by less than this fraction is not checked: such small
+// differences may be rounding errors.
 constexpr double kUnchecked = 1e-9;
-// The rate of multiplications in a factorisation of dense fronts over that in a solve, which
+// How many times as many multiplications per second a factorisation of dense fronts does as a solve, which
 // waits for memory.
 constexpr double kDenseSpeed = 4;
-// Solves that a fresh factorisation takes as well.
+// Solves that are needed even with a fresh factorisation.
 constexpr int kFreeSolves = 3;
 constexpr int kLeastSolves = 20;     // before conjugate gradients give up
-constexpr double kOtherInertia = 2;  // ratio from which on a factorisation is renewed
+constexpr double kOtherInertia = 2;  // ratio above which a factorisation is renewed
 constexpr size_t kGrain = 1024;      // columns that a thread takes at once
 
-// The length of the largest displacement of a vertex among unknowns. Infinite where any is not finite.
+// The length of the largest displacement of a vertex among unknowns. Infinite if any is not finite.
 double largest(const Eigen::VectorXd& unknowns) {
   double squared = 0;
   for (Eigen::Index i = 0; i < unknowns.size(); i += 3)
@@ -112,7 +112,7 @@ Eigen::VectorXd StepMinimiser::product(const Eigen::VectorXd& x, double inertia)
   return result;
 }
 
-// Of descent, always: conjugate gradients start at 0.
+// Always a descent direction: conjugate gradients start at 0.
 Eigen::VectorXd StepMinimiser::newtonDirection(const Eigen::VectorXd& gradient, double inertia, Job& job) {
   const auto preconditioned = [&](Eigen::VectorXd residual) {
     factorisation_.solve(residual, job);
@@ -146,7 +146,7 @@ Eigen::VectorXd StepMinimiser::newtonDirection(const Eigen::VectorXd& gradient, 
 }
 
 // Moves x along the direction by the longest step that decreases the objective, whose derivative along the
-// direction is `growth` <= 0. Returns the fraction of the direction, 0 where none decreases it.
+// direction is `growth` <= 0. Returns the fraction of the direction, 0 if none decreases it.
 double StepMinimiser::moveAlong(const StepObjective& objective, const Eigen::VectorXd& direction,
                                 double growth, Point& point) const {
   double fraction = 1;
@@ -179,12 +179,13 @@ bool StepMinimiser::minimise(const StepObjective& objective, State& x, Job& job)
     const Eigen::VectorXd direction = newtonDirection(gradient, objective.inertia, job);
     const double size = largest(direction), growth = gradient.dot(direction);
     if (!std::isfinite(size) || !(growth <= 0)) return false;
-    // In the norm of energy, what is left to do is a small fraction of the motion.
+    // The remaining error is a small fraction of the motion in the energy norm.
     const bool isSmall = -growth <= kTolerance * kTolerance * point.value;
     const double fraction = moveAlong(objective, direction, growth, point);
     x = point.x;
-    // An old factorisation leaves what is soft to later iterations, where something stiff has turned: the
-    // first one tells nothing then, and slow ones may end in a creep that looks like convergence.
+    // If a stiff part has rotated since, an old factorisation leaves soft components to later iterations: the
+    // first iteration then says nothing about convergence, and slow ones may end in a creep that looks like
+    // convergence.
     isOwn = isOwn || isFresh_;
     const bool isTold = i > 0 || isFresh_;
     const double contraction = former > 0 ? size / former : 0.5;

@@ -9,7 +9,7 @@
 
 namespace limber {
 
-// What an implicit step minimises: 1/2 inertia |x - aim|_M^2 + E(x).
+// The objective of an implicit step: 1/2 inertia |x - aim|_M^2 + E(x).
 struct StepObjective {
   double inertia = 0;  // 1/s2
   std::vector<Vec3> aim = {};
@@ -17,27 +17,27 @@ struct StepObjective {
 
 // Finds the minimum of an implicit step by Newton's method with a line search.
 //
-// Newton's equations are solved by preconditioned conjugate gradients, which stop at a direction of negative
-// curvature; the line search continues from the solution found so far (Steihaug 1983).
-// The preconditioner is a factorisation at an earlier state of the body, of the part of its second derivative
-// that is positive semidefinite whatever the stress, with its inertia. It is renewed when the iterations that
-// it has cost since amount to a factorisation: so the work is at most about twice that of the best choice
-// (the rule of ski rental); and once in a step whose iterations contract slowly. An elimination order serves
-// all of them.
+// The Newton equations are solved by preconditioned conjugate gradients, which stop at a direction of
+// negative curvature and return the iterate so far to the line search (Steihaug 1983). The preconditioner is
+// a factorisation at an earlier state of the body: of the part of its second derivative that is positive
+// semidefinite for any stress, plus inertia. It is renewed when the additional iterations since then cost as
+// much as a factorisation, which bounds the work by about twice that of the best choice (the ski rental
+// rule), and once in a step whose iterations converge slowly. All factorisations share an elimination order.
 class StepMinimiser {
  public:
   using State = std::vector<Vec3>;
 
-  // Refers to the system. `motionSize`: metres, what errors are relative to. `mostWork`: see work().
+  // Keeps a reference to the system. `motionSize`: metres, to which errors are relative. `mostWork`: see
+  // work().
   StepMinimiser(ImplicitSystem& system, double motionSize, double mostWork);
 
-  // Moves the free vertices of x to the minimum. False if Newton's method does not converge, or to nothing
-  // finite, or once the work of all minima together is more than the most; x is of no meaning then. Throws
-  // Cancelled.
+  // Moves the free vertices of x to the minimum. Returns false if Newton's method does not converge to finite
+  // values, or once the total work exceeds the limit; x is then undefined. Throws Cancelled.
   bool minimise(const StepObjective& objective, State& x, Job& job);
   double valueAt(const StepObjective& objective, const State& x) const;
 
-  // Multiplications of all solves so far, and those of factorisations by the time that they take beside them.
+  // The work so far: multiplications of all solves, plus factorisations, converted to multiplications of
+  // equal time.
   double work() const { return (solveCount_ + price_ * factorisationCount_) * solveWork_; }
 
  private:
@@ -58,7 +58,7 @@ class StepMinimiser {
   double motionSize_, mostWork_;
   double solveWork_;          // multiplications of a solve
   double price_;              // of a factorisation, in solves
-  double rent_ = 0;           // solves since the last factorisation that a fresh one would have spared
+  double rent_ = 0;           // solves since the last factorisation that a fresh one would have saved
   double factorInertia_ = 0;  // of the last factorisation, 0 before the first
   bool renews_ = true;        // whether the next linearisation factorises
   bool isFresh_ = false;      // whether the factorisation belongs to the last linearisation

@@ -11,10 +11,11 @@ namespace limber {
 namespace {
 
 constexpr int kLanczosSteps = 16;
-// sigma over the Rayleigh quotient of the start: far below the first frequency of any body that swings, and
-// enough to factorise K of one that is free to move.
+// sigma over the Rayleigh quotient of the start: far below the first frequency of any swinging body, and
+// enough to factorise K of a free body.
 constexpr double kShift = 1e-8;
-// A line counts from this share on, and from this fraction of the median of omega^2 over the energy on.
+// The smallest share of a line that counts, and the smallest omega^2 as a fraction of the energy-weighted
+// median of omega^2.
 constexpr double kNoticeable = 0.05, kRigid = 1e-4;
 
 }  // namespace

@@ -5,9 +5,9 @@
 namespace limber {
 namespace {
 
-// What a body may take in a scene, see StepMinimiser::work: about 15 seconds on one thread. A sway of 5,500
-// faces takes a tenth of it, and the fall of a sheet of 3,000 faces a half; what crumples under its weight
-// has no end.
+// The work limit of a body in a scene, see StepMinimiser::work: about 15 seconds on one thread. A sway of
+// 5,500 faces takes a tenth of it, and the fall of a sheet of 3,000 faces a half; a body that crumples under
+// its weight would never finish.
 constexpr double kMostWork = 2e10;
 
 }  // namespace

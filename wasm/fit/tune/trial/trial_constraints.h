@@ -5,8 +5,8 @@
 
 namespace limber {
 
-// Moves a body of springs, hinges and membranes by implicit steps. Nothing where they do not converge, or
-// take too long. To be called within a WholePhase. Throws Cancelled.
+// Moves a body of springs, hinges and membranes by implicit steps. Returns nothing if they do not converge or
+// take too long. Must be called within a WholePhase. Throws Cancelled.
 TrialDisplacements moveConstraints(const TrialRun& run, const SolverModel& model, Job& job);
 
 }  // namespace limber

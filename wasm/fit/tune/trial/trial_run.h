@@ -15,12 +15,12 @@ struct TrialRun {
   const TrialScene& scene;
   const MovingBody& body;
   Pins pins = {};                           // of the body in this scene
-  std::vector<SurfacePoint> samples = {};   // points of the body that are followed
-  uint32_t stride = 1;                      // steps of the scene in one step of this run
+  std::vector<SurfacePoint> samples = {};   // points of the body that are tracked
+  uint32_t stride = 1;                      // every step is as long as this many steps of the scene
   uint32_t recordEvery = 1;                 // steps of the scene between records, divisible by `stride`
-  std::function<void(double)> report = {};  // called with the fraction that is done
+  std::function<void(double)> report = {};  // called with the completed fraction
 
-  // In m/s.
+  // The initial velocities in m/s.
   std::vector<Vec3> startVelocities() const {
     std::vector<Vec3> velocities;
     for (const Vec3& p : body.mesh.positions)
@@ -29,8 +29,7 @@ struct TrialRun {
   }
 };
 
-// Displacements of the samples in metres, [record sampleCount + sample]; nothing where a body cannot be
-// moved.
+// Displacements of the samples in metres, [record sampleCount + sample]; nothing if the body cannot be moved.
 using TrialDisplacements = std::optional<std::vector<Vec3>>;
 
 }  // namespace limber

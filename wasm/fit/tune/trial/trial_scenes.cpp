@@ -26,8 +26,8 @@ Scenario scenarioOf(const MovingBody& original, const char* name) {
           .unit = original.constants.unit};
 }
 
-// What hanging bodies are asked for their lowest frequency with: a velocity across the body that grows with
-// the square of the distance from the pins' centre.
+// The initial velocity for finding the lowest frequency of hanging bodies: across the body, growing with the
+// square of the distance from the pins' centre.
 std::vector<Vec3> velocitiesFromPins(const MovingBody& original, const TrialScene& scene) {
   Vec3 centre;
   for (const uint32_t v : scene.pins.vertices)
@@ -45,8 +45,8 @@ std::vector<Vec3> swayVelocities(const MovingBody& original, const TrialScene& s
   return velocities;
 }
 
-// Morley's shell is timed by hinges that bend like it around a cylinder: hinges by area have three times the
-// energy of a plate of their constant.
+// The duration for Morley's shell comes from hinges that have the same energy when bent around a cylinder:
+// hinges by area have three times the energy of a plate with their constant.
 SolverConstraints timingConstraints(const MovingBody& original, SolverModel model) {
   SolverConstants constants = original.constants;
   if (model.bend == BendElement::Morley) {
@@ -61,7 +61,7 @@ void setDuration(TrialScene& scene, double omega) {
   scene.stepCount = static_cast<uint32_t>(kPeriods * kStepsPerPeriod);
 }
 
-// False where nothing swings.
+// Returns false if nothing swings.
 bool timeScene(TrialScene& scene, const MovingBody& original, const SolverModel& model, Job& job) {
   const SolverConstraints constraints = timingConstraints(original, model);
   const std::vector<double> masses = massesOf(original, model);
@@ -81,8 +81,8 @@ bool timeScene(TrialScene& scene, const MovingBody& original, const SolverModel&
     setDuration(scene, swing.omega);
     return true;
   }
-  // A rod of the length of the diagonal swings about its end with omega^2 = 3/2 g / L. Stiffnesses add, and
-  // so do the squares of the frequencies, at least (Southwell 1922).
+  // A rod of the length of the diagonal swings about its end with omega^2 = 3/2 g / L. Stiffnesses add, so
+  // the squares of the frequencies add up to a lower bound (Southwell 1922).
   const double squared = swing.omega * swing.omega + 1.5 * kGravity / diagonal;
   scene.motionSize = std::min(diagonal, kGravity / squared);
   setDuration(scene, std::sqrt(squared));
