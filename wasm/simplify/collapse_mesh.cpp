@@ -9,7 +9,7 @@ namespace limber {
 namespace {
 
 // Of the squared length of a feature edge, for the planes through it (see OptimumFinder): larger values keep
-// feature edges straighter and leave less to the surface beside them.
+// feature edges straighter and weigh the adjacent surface less.
 constexpr double kFeatureWeight = 10;
 
 }  // namespace
@@ -19,7 +19,7 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& 
   const Topology topology = buildIncidence(mesh);
   const Bounds box = bounds(mesh);
   diagonal_ = box.diagonal();
-  // A sum of 2^52 steps and more has no digits below one step; the step is a power of two.
+  // Doubles from 2^52 steps on have no digits below one step; the step is a power of two.
   if (diagonal_ > 0) rounder_ = std::ldexp(1.5, 52 - 30 + std::ilogb(diagonal_));
   for (int axis = 0; axis < 3; ++axis)
     origin_[axis] = static_cast<float>(0.5 * box.low[axis] + 0.5 * box.high[axis]);
@@ -68,7 +68,8 @@ void CollapseMesh::collectQuadrics(std::span<const float> textureWeights) {
     Quadric plane = planeQuadric(areaNormal, p, twiceArea > 0 ? 0.5 / twiceArea : 0);
     plane.area = 0.5 * twiceArea;
     for (const uint32_t v : corners) vertices_[v].quadric = vertices_[v].quadric + plane;
-    // A texture that slides costs as much as if the triangle were off by as far, but for what cannot be seen.
+    // A sliding texture costs as much as a deviation of the triangle by the same distance, apart from sliding
+    // that is invisible.
     const double slide = plane.area * (textureWeights.empty() ? 1 : textureWeights[t]);
     for (int c = 0; c < 3; ++c) {
       if (!isFeature(edges[c])) continue;
@@ -81,8 +82,8 @@ void CollapseMesh::collectQuadrics(std::span<const float> textureWeights) {
   }
 }
 
-// How much the plane that stands on a triangle's feature edge counts. Outlines show wherever they go. A seam
-// shows as far as the texture slides; `slide` is what that counts.
+// The weight of the plane perpendicular to a triangle on its feature edge. Any motion of an outline is
+// visible; that of a seam only as far as the texture slides, with the weight `slide`.
 double CollapseMesh::featureWeight(uint32_t edge, double slide) const {
   if (edges_[edge].triangles == 2 && edges_[edge].feature == FeatureKind::Seam) return slide;
   const auto [a, b] = edges_[edge].ends;
@@ -106,7 +107,7 @@ void CollapseMesh::joinSectors(Corner removed, Corner kept) {
   if (!sectorOfCorner_.empty()) heirOfSector_[sector(removed)] = sector(kept);
 }
 
-// Makes an edge one with its heir after the triangle between them has vanished.
+// Merges an edge into its heir after the triangle between them has vanished.
 void CollapseMesh::mergeEdges(uint32_t dying, uint32_t heir) {
   Edge &from = edges_[dying], &to = edges_[heir];
   to.triangles = static_cast<uint8_t>(to.triangles + from.triangles - 2);
@@ -134,7 +135,7 @@ void CollapseMesh::transferCorner(Corner corner, const Collapse& step) {
 }
 
 // Stores the joined star in the memory of the kept or the removed vertex, whichever is larger, or in new
-// memory with spare capacity, so that many collapses into one vertex cost no more than their sum.
+// memory with spare capacity, so that the cost of many collapses into one vertex is amortised.
 void CollapseMesh::storeStar(const Collapse& step) {
   const auto count = static_cast<uint32_t>(change_.count);
   Star& star = vertices_[step.kept].star;
@@ -158,9 +159,9 @@ Collapse CollapseMesh::collapseOf(uint32_t edge, const Vec3& target) const {
   return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
 }
 
-// Appends the corners at v to those of `change_`, except those of triangles on its edge, at most two, which
-// go to `vanishing`. Calls visit with the mark of each neighbour. Without branches, for they could not be
-// predicted.
+// Appends the corners at v to those of `change_`, except those of the at most two triangles on its edge,
+// which go to `vanishing`. Calls visit with the mark of each neighbour. Branch-free, because branches would
+// be unpredictable.
 template <class Visit>
 size_t CollapseMesh::divideStar(uint32_t v, size_t count, std::array<Corner, 3>& vanishing,
                                 const Visit& visit) {

@@ -23,9 +23,9 @@ struct Collapse {
 
 // A mesh in flat arrays whose edges can be collapsed in time proportional to the triangles around them.
 // Triangles, edges and vertices keep their indices; edges are those of the Topology of the input, sorted by
-// their vertices. Positions are relative to `origin`, the middle of the bounding box rounded to float32. All
-// that a collapse reads of a vertex or an edge is contiguous in memory, for on large meshes scattered reads
-// dominate the time.
+// their vertices. Positions are relative to `origin`, the middle of the bounding box rounded to float32. The
+// data that a collapse reads of a vertex or an edge are contiguous in memory, because on large meshes
+// scattered reads dominate the time.
 class CollapseMesh {
  public:
   struct Ends {
@@ -44,23 +44,24 @@ class CollapseMesh {
   double diagonal() const { return diagonal_; }
 
   const Ends& edge(uint32_t e) const { return edges_[e].ends; }
-  // The number of triangles of an edge: 0 once it is gone, 1 on a border, 2 inside, 3 for more than two.
+  // The number of triangles of an edge: 0 once it has been removed, 1 on a border, 2 inside, 3 for more than
+  // two.
   int trianglesOnEdge(uint32_t e) const { return edges_[e].triangles; }
   const Face& face(uint32_t t) const { return faces_[t]; }
   const Vec3& position(uint32_t v) const { return vertices_[v].position; }
   const VertexRole& role(uint32_t v) const { return vertices_[v].role; }
-  // The planes of the triangles and feature edges around a vertex and around all vertices that have become
-  // it.
+  // The planes of the triangles and feature edges around a vertex and around all vertices that have been
+  // merged into it.
   const Quadric& quadric(uint32_t v) const { return vertices_[v].quadric; }
-  // A mark for the use of the collapse loop, false at first; `collapse` does not change it.
+  // A mark for the use of the collapse loop, initially false; `collapse` does not change it.
   bool isMarked(uint32_t v) const { return vertices_[v].isMarked; }
   void setMarked(uint32_t v, bool marked) { vertices_[v].isMarked = marked; }
   // Whether an edge is a feature edge, borders included.
   bool isFeature(uint32_t e) const {
     return edges_[e].triangles == 1 || edges_[e].feature != FeatureKind::None;
   }
-  // The end of an edge that constraints keep where it is while the other end is removed; kNone where both
-  // ends have the same freedom.
+  // The end of an edge that constraints fix in place while the other end is removed; kNone if both ends are
+  // equally free.
   uint32_t fixedEnd(uint32_t e) const {
     const auto [a, b] = edges_[e].ends;
     const Freedom atA = role(a).freedom, atB = role(b).freedom;
@@ -69,7 +70,7 @@ class CollapseMesh {
   // The sector of a corner (see findSectors). Only for constraints with wedges or attributes.
   uint32_t sector(Corner corner) const { return sectorOfCorner_[corner.flatIndex()]; }
   uint32_t sectorCount() const { return static_cast<uint32_t>(heirOfSector_.size()); }
-  // The corners at a vertex, in no special order.
+  // The corners at a vertex, in no particular order.
   std::span<const Corner> star(uint32_t v) const {
     const Star& star = vertices_[v].star;
     return {pool_.data() + star.begin, star.count};
@@ -78,9 +79,9 @@ class CollapseMesh {
   // How a collapse changes the triangles around its ends.
   struct Change {
     uint32_t edge = kNone, kept = kNone;  // of the collapse
-    std::vector<Corner> corners;  // [0, count): those that stay, first the ofKept ones at the kept vertex
+    std::vector<Corner> corners;  // [0, count): corners that remain, first the ofKept ones at the kept vertex
     size_t ofKept = 0, count = 0;
-    std::array<Corner, 3> vanishing{};  // those at the kept vertex that vanish
+    std::array<Corner, 3> vanishing{};  // corners at the kept vertex that vanish
     uint32_t commonNeighbours = 0;      // number of vertices that are neighbours of both ends
   };
   // The reference is valid until the next call. A call for the same collapse as the last one, with no other
@@ -95,13 +96,13 @@ class CollapseMesh {
       const Face& face = faces_[corner.triangle()];
       const int next = nextIndex(corner.index()), previous = nextIndex(next);
       visit(face.edges[previous], face.vertices[next]);
-      // Every other edge leaves v in one of its two triangles; the last edge of an open fan only arrives at
-      // v.
+      // Each of the other edges leaves v in one of its two triangles; the last edge of an open fan only
+      // arrives at v.
       if (open && trianglesOnEdge(face.edges[next]) == 1) visit(face.edges[next], face.vertices[previous]);
     }
   }
 
-  // The float32 coordinates in the file of a point of this frame.
+  // The float32 coordinates in the file for a point of this frame.
   std::array<float, 3> inFile(const Vec3& p) const {
     const Vec3 q = p + origin_;
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
@@ -112,8 +113,8 @@ class CollapseMesh {
     return Vec3{x, y, z} - origin_;
   }
   Vec3 fromFile(const Vec3& p) const { return p - origin_; }
-  // As `stored`, for a point that was computed: its coordinates in the file are first rounded to steps of
-  // about 1e-9 of the diagonal, so that rounding noise around 0 becomes 0.
+  // As `stored`, for a computed point: its coordinates in the file are first rounded to multiples of about
+  // 1e-9 of the diagonal, so that rounding noise around 0 becomes 0.
   template <class Real>
   Point<Real> rounded(const Point<Real>& p) const {
     const auto round = [&](Real x, double origin) {
@@ -122,12 +123,12 @@ class CollapseMesh {
     return {round(p.x, origin_.x), round(p.y, origin_.y), round(p.z, origin_.z)};
   }
 
-  // The collapse of an edge to `target`. The kept end is the fixed one, else the one nearer to the target,
-  // else the lower one.
+  // The collapse of an edge to `target`. The kept end is the fixed one, otherwise the one nearer to the
+  // target, or the lower one on a tie.
   Collapse collapseOf(uint32_t edge, const Vec3& target) const;
 
   // Carries out a legal collapse, whose kept vertex must be its `fixedEnd` if there is one. Returns the up to
-  // two further edges that are gone (else kNone), because they have become one with edges of `kept`.
+  // two further edges (otherwise kNone) that are removed because they coincide with edges of `kept`.
   std::array<uint32_t, 2> collapse(const Collapse& step);
 
  private:
@@ -136,7 +137,7 @@ class CollapseMesh {
   };
   struct Edge {
     Ends ends;
-    uint32_t heir;      // of an edge that is gone: the edge it has become; else kNone
+    uint32_t heir;      // of a removed edge: the edge that it was merged into; else kNone
     uint8_t triangles;  // see trianglesOnEdge
     FeatureKind feature;
   };
@@ -164,15 +165,15 @@ class CollapseMesh {
 
   Vec3 origin_;
   double diagonal_ = 0;
-  double rounder_ = 0;  // adding and subtracting it rounds to the steps of `rounded`
+  double rounder_ = 0;  // adding and subtracting it rounds to the multiples of `rounded`
   uint32_t livingTriangles_ = 0;
   std::vector<Vertex> vertices_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
-  std::vector<Corner> pool_;  // the stars; the entry before each has its capacity as code
+  std::vector<Corner> pool_;  // the stars; the entry before each stores its capacity
   uint32_t mark_ = 0;         // the last one set in a vertex
   std::vector<uint32_t> sectorOfCorner_, heirOfSector_;
-  Change change_;  // the last one asked for
+  Change change_;  // the last requested one
 };
 
 }  // namespace limber

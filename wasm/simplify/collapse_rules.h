@@ -12,26 +12,26 @@
 
 namespace limber {
 
-// All that decides whether a collapse is carried out, besides its cost: legality, the largest deviation and
-// the mirror symmetry, where these are asked for.
+// All rules that decide whether a collapse is carried out, besides its cost: legality and, if requested, the
+// largest deviation and the mirror symmetry.
 class CollapseRules {
  public:
-  // Keeps references to `mesh`, `job` and the lists of `options`. Throws std::invalid_argument where
-  // `options.constraints.mirror` is no symmetry of the mesh.
+  // Keeps references to `mesh`, `job` and the lists of `options`. Throws std::invalid_argument if
+  // `options.constraints.mirror` is not a symmetry of the mesh.
   CollapseRules(const TriangleMesh& input, CollapseMesh& mesh, const SimplifyOptions& options, Job& job);
 
   Verdict permanentVerdict(uint32_t edge) const { return legality_.permanentVerdict(edge); }
 
-  // The collapse of an edge, with its target moved onto the mirror plane where both ends lie on it.
+  // The collapse of an edge, with its target moved onto the mirror plane if both ends lie on it.
   Collapse collapseOf(uint32_t edge, const Vec3& target) const;
 
   // Whether a collapse is allowed; with a mirror its image has to be allowed too. Throws Cancelled.
   Verdict judge(const Collapse& step);
 
-  // The image that has to be carried out after the step; nothing where the step is its own image.
+  // The image that has to be carried out after the step; nothing if the step is its own image.
   std::optional<Collapse> imageOf(const Collapse& step) const;
 
-  // To be called before the mesh carries out a step: right after `judge` has allowed it, or after
+  // Must be called before the mesh carries out a step: right after `judge` has allowed it, or after
   // `prepareImage`.
   void collapse();
   void prepareImage(const Collapse& image);
@@ -47,7 +47,7 @@ class CollapseRules {
   Job& job_;
 };
 
-// Inline, for the loop of every method calls them for each edge that comes up.
+// Inline, because the loop of every method calls them for each edge.
 
 inline Collapse CollapseRules::collapseOf(uint32_t edge, const Vec3& target) const {
   const Collapse step = mesh_.collapseOf(edge, target);
@@ -65,7 +65,7 @@ inline Verdict CollapseRules::judge(const Collapse& step) {
 }
 
 inline Verdict CollapseRules::judgeAlone(const Collapse& step) {
-  if (deviation_) job_.check();  // for a step may take a millisecond
+  if (deviation_) job_.check();  // a step may take a millisecond
   const Verdict verdict = legality_.check(step);
   const bool goesTooFar = verdict == Verdict::Legal && deviation_ && !deviation_->allows(step);
   return goesTooFar ? Verdict::Deviation : verdict;

@@ -22,7 +22,8 @@ DeviationEstimate::DeviationEstimate(const CollapseMesh& mesh)
   witnesses_.assign(mesh.vertexCount(), {none, none, none});
 }
 
-// The distance of a point from the changed triangles, or any one of at most `enough` where it is no more.
+// The distance of a point from the changed triangles; if that is at most `enough`, any distance up to
+// `enough`.
 double DeviationEstimate::distanceFromChanged(const Vec3& p, double enough) const {
   double least = std::numeric_limits<double>::infinity();
   const double squaredEnough = enough > 0 ? enough * enough : 0;
@@ -33,7 +34,8 @@ double DeviationEstimate::distanceFromChanged(const Vec3& p, double enough) cons
   return std::sqrt(least);
 }
 
-// The distance of the target from the triangles before, or any one of at most `enough` where it is no more.
+// The distance of the target from the triangles before the collapse; if that is at most `enough`, any
+// distance up to `enough`.
 double DeviationEstimate::distanceFromStars(const Collapse& step, double enough) const {
   double least = std::numeric_limits<double>::infinity();
   for (const uint32_t v : {step.kept, step.removed})
@@ -58,7 +60,7 @@ void DeviationEstimate::gather(uint32_t end) {
   const double move = distanceFromChanged(position, 0);
   for (const Witness& witness : witnesses_[end]) {
     if (witness.bound < 0) break;
-    // No witness is taken with a bound of at most that of the last one kept.
+    // No witness is added whose bound is at most that of the last one stored.
     const double least = kept_.back().bound;
     if (witness.bound + move <= least) continue;
     const double distance = distanceFromChanged(positionOf(witness.position), least);

@@ -10,17 +10,17 @@
 namespace limber {
 namespace {
 
-// Of the limit: the distance allowed at samples, so that the surface between them stays within the whole
-// limit.
+// As a fraction of the limit: the distance allowed at samples, so that the surface between them stays within
+// the limit.
 constexpr double kMargin = 0.85;
 // A coarse input gets more samples per triangle, up to about this many in all ...
 constexpr double kSamples = 10000;
 constexpr int kFinest = 8;  // ... with its edges cut into at most this many parts
-// To sample a changed triangle, its edges are cut into parts of about this many limits in length, but into no
-// fewer than kFewestCuts and no more than kMostCuts parts.
+// To sample a changed triangle, its edges are cut into parts of about this length, in multiples of the limit,
+// but at least kFewestCuts and at most kMostCuts parts.
 constexpr double kCutLength = 2;
 constexpr double kFewestCuts = 3, kMostCuts = 20;
-// A triangle within this part of the limit is near enough to a sample; the search for a nearer one ends.
+// A triangle within this fraction of the limit is near enough to a sample; the search for a nearer one ends.
 constexpr double kNearEnough = 0.25;
 
 }  // namespace

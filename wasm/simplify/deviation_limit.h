@@ -8,12 +8,12 @@
 
 namespace limber {
 
-// Keeps the surface within a distance of the input, judged at samples in both directions. Every vertex of the
-// input and, on each of its triangles, points on the edges and the centres of 1 to 64 equal parts (fewer on
-// finer meshes) must stay within the distance of the triangles that have replaced theirs. On every triangle
-// that a collapse changes, the moved corner and points inside and on the edges must lie within the distance
-// of the input. A margin of 15 % is left for the surface between the samples; large triangles over rugged
-// borders may exceed it.
+// Keeps the surface within a distance of the input, measured at samples in both directions. Every vertex of
+// the input and, on each of its triangles, points on the edges and the centres of 1 to 64 equal parts (fewer
+// on finer meshes) must stay within the distance of the triangles that have replaced theirs. On every
+// triangle that a collapse changes, the moved corner and points inside and on the edges must lie within the
+// distance of the input. A margin of 15 % is left for the surface between the samples; large triangles over
+// rugged borders may exceed it.
 class DeviationLimit {
  public:
   // Keeps a reference to both. `limit` is a length in the mesh's units.
@@ -21,10 +21,10 @@ class DeviationLimit {
 
   // Whether a collapse stays within the limit. O(samples on the triangles around it, times these triangles).
   bool allows(const Collapse& step);
-  // Prepares `collapse` for a step that is carried out whatever its distance; a sample that is near none of
-  // its triangles stays on the first of them.
+  // Prepares `collapse` for a step that is carried out regardless of its distance; a sample that is near none
+  // of its triangles is assigned to the first of them.
   void follow(const Collapse& step);
-  // Assigns the samples to their new triangles. To be called right after `allows` has returned true for the
+  // Assigns the samples to their new triangles. Must be called right after `allows` has returned true for the
   // same step, or after `follow`.
   void collapse();
 

@@ -11,9 +11,9 @@ namespace limber {
 // not negative, above the index of the edge.
 //
 // Most costs change several times before their edge comes up, so a change must be cheap: keys far from the
-// front lie unordered in buckets of nearly equal costs (Dial 1969), those of the lowest bucket in a small
-// heap. A new cost adds a key and leaves the old key where it is, to be recognised by its outdated cost when
-// it comes up.
+// front are stored unordered in buckets of nearly equal costs (Dial 1969), those of the lowest bucket in a
+// small heap. A new cost adds a key and leaves the old key in the queue, to be recognised by its outdated
+// cost when it comes up.
 class EdgeQueue {
  public:
   explicit EdgeQueue(uint32_t edgeCount) : waiting_(edgeCount, kAbsent), lastOf_(kBuckets, kNoChunk) {
@@ -22,8 +22,8 @@ class EdgeQueue {
 
   bool isWaiting(uint32_t edge) const { return waiting_[edge] != kAbsent; }
 
-  // Brings the first edge to the front; false if no edge waits. Calls price(edges) for stale edges that come
-  // up meanwhile, those of a bucket together; it must `set` each of them.
+  // Brings the first edge to the front; returns false if the queue is empty. Calls price(edges) for stale
+  // edges that come up on the way, once for those of a bucket; it must `set` each of them.
   template <class Price>
   bool findFirst(const Price& price) {
     for (;;) {
@@ -40,7 +40,7 @@ class EdgeQueue {
       if (!stale_.empty()) price(stale_);
     }
   }
-  // The following two may be called after findFirst has returned true.
+  // The following two functions may be called after findFirst has returned true.
   bool wouldBeFirst(uint32_t edge, double cost) const { return keyOf(edge, cost) < heap_.front(); }
   uint32_t pop() {
     const uint32_t edge = edgeOf(heap_.front());
@@ -61,16 +61,16 @@ class EdgeQueue {
       store(bits >> kShift, key);
   }
 
-  // The cost, or its estimate, of an edge that waits.
+  // The cost of a queued edge, or its estimate.
   float cost(uint32_t edge) const { return std::bit_cast<float>(waiting_[edge] & ~kStale); }
-  // Adds an edge or changes its cost, by an estimate: the edge is stale and will be priced before it comes
-  // first.
+  // Adds an edge or changes its cost, with an estimate: the edge is stale and will be priced before it can
+  // come first.
   void markStale(uint32_t edge, double estimate) {
     waiting_[edge] &= ~kStale;
     set(edge, estimate);
     waiting_[edge] |= kStale;
   }
-  // Removes an edge, if it waits.
+  // Removes an edge if it is queued.
   void remove(uint32_t edge) { waiting_[edge] = kAbsent; }
 
  private:
@@ -78,7 +78,7 @@ class EdgeQueue {
   static constexpr uint32_t kShift = 19, kBuckets = 1u << (32 - kShift);
   static constexpr uint32_t kAbsent = 0xffffffffu, kNoChunk = 0xffffffffu;
   static constexpr uint32_t kStale = 0x80000000u;  // the sign bit, which no cost has
-  // A part of a bucket: two blocks of the cache.
+  // A part of a bucket: two cache lines.
   struct Chunk {
     static constexpr uint32_t kCapacity = 15;
     uint32_t previous, count;
@@ -86,7 +86,7 @@ class EdgeQueue {
   };
 
   static uint64_t keyOf(uint32_t edge, double cost) {
-    return uint64_t{std::bit_cast<uint32_t>(static_cast<float>(cost) + 0.0f)} << 32 | edge;  // -0 as 0
+    return uint64_t{std::bit_cast<uint32_t>(static_cast<float>(cost) + 0.0f)} << 32 | edge;  // -0 becomes 0
   }
   static uint32_t edgeOf(uint64_t key) { return static_cast<uint32_t>(key); }
   static uint32_t costOf(uint64_t key) { return static_cast<uint32_t>(key >> 32); }
@@ -122,7 +122,7 @@ class EdgeQueue {
       heap_.resize(fresh + Chunk::kCapacity);
       stale_.resize(stale + Chunk::kCapacity);
       for (uint32_t i = 0; i < chunk.count; ++i) {
-        // Without branches, for they could not be predicted.
+        // Branch-free, because branches would be unpredictable.
         const uint64_t key = heap_[fresh] = chunk.keys[i];
         stale_[stale] = edgeOf(key);
         const uint32_t waiting = waiting_[edgeOf(key)];
@@ -158,7 +158,7 @@ class EdgeQueue {
     heap_.pop_back();
     if (!heap_.empty()) moveDown(0, last);
   }
-  // Moves `key` down from the free `slot` to where it belongs.
+  // Moves `key` down from the free `slot` to its position in the heap.
   void moveDown(uint32_t slot, uint64_t key) {
     const auto size = static_cast<uint32_t>(heap_.size());
     for (uint32_t first; (first = 4 * slot + 1) < size;) {
@@ -169,7 +169,7 @@ class EdgeQueue {
     }
     heap_[slot] = key;
   }
-  // Without branches, for they could not be predicted.
+  // Branch-free, because branches would be unpredictable.
   uint32_t leastOfFour(uint32_t first) const {
     const uint64_t* keys = heap_.data() + first;
     const uint32_t left = keys[1] < keys[0], right = 2 + (keys[3] < keys[2]);
@@ -182,7 +182,7 @@ class EdgeQueue {
     return least;
   }
 
-  // Per edge: the bits of the cost at which it waits, with kStale if that is an estimate; or kAbsent.
+  // Per edge: the bits of the cost at which it is queued, with kStale if that is an estimate; or kAbsent.
   std::vector<uint32_t> waiting_;
   std::vector<uint32_t> stale_;  // scratch
   std::vector<uint64_t> heap_;   // the keys of all buckets up to `current_`

@@ -46,7 +46,7 @@ class FeatureRules {
     if (squaredLength(a) == 0 || squaredLength(b) == 0) return false;
     return dot(normalized(a), normalized(b)) < creaseCosine_;
   }
-  // Whether both ends are in a pinned set that a vertex opposite to the edge is not in.
+  // Whether both ends are in a pinned set that does not contain a vertex opposite to the edge.
   bool isOutline(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
     const auto& sets = constraints_.pinnedSets;
     if (sets.empty()) return false;
@@ -67,11 +67,11 @@ class FeatureRules {
   double creaseCosine_;
 };
 
-// What the role of a vertex depends on.
+// The properties from which the role of a vertex follows.
 struct FeatureCounts {
-  uint32_t borders = 0, features = 0;  // numbers of edges; borders are not counted twice
+  uint32_t borders = 0, features = 0;  // numbers of edges; borders are not counted as features
   bool outlinesPinnedSet = false;      // a feature edge leads to a vertex that is not in all sets of this one
-  bool leavesSet = false;              // any edge does so
+  bool leavesSet = false;              // any edge does
 };
 
 std::vector<FeatureCounts> countFeatures(const Topology& topology, const SimplifyConstraints& constraints,

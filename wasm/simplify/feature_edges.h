@@ -9,29 +9,30 @@
 
 namespace limber {
 
-// What may happen to a vertex. Of two that collapse, the one that comes later in this list is kept.
+// What may happen to a vertex. Of the two ends of a collapse, the one whose role comes later in this list is
+// kept.
 enum class Freedom : uint8_t {
   Free,     // inside the surface
-  Feature,  // on feature edges (see SimplifyConstraints), and it stays on them
+  Feature,  // on feature edges (see SimplifyConstraints), on which it stays
   Fixed,    // neither moved nor removed, but others may collapse into it
-  Locked,   // at a non-manifold vertex or edge, or where windings clash; none of its edges collapses
+  Locked,   // non-manifold, at a non-manifold edge, or where windings clash; none of its edges collapses
 };
 
-// What a collapse needs to know of a vertex.
+// The properties of a vertex that collapses need.
 struct VertexRole {
   Freedom freedom = Freedom::Free;
   bool onFeature = false;  // one of its edges is a feature edge, borders included
   bool onBorder = false;   // one of its edges is a border
 };
 
-// What an edge with two triangles is.
+// The kind of an edge with two triangles.
 enum class FeatureKind : uint8_t {
   None,
-  Seam,     // wedges differ and nothing else: the texture goes on in another piece of it
+  Seam,     // only wedges differ: the texture continues in another chart
   Outline,  // any other feature edge
 };
 
-// The feature edges of a mesh, and what these and the constraints allow its vertices.
+// The feature edges of a mesh, and the roles of its vertices that follow from these and the constraints.
 struct FeatureEdges {
   std::vector<FeatureKind> kinds;  // [e]; borders have None
   std::vector<VertexRole> roles;   // [v]

@@ -33,8 +33,8 @@ uint32_t collapsesFor(const History& history, uint32_t faces) {
 
 namespace {
 
-// Returns per input vertex the one that it has become after `count` collapses. Goes backwards, so that the
-// survivor of kept[i] is already known when removed[i] needs it.
+// Returns for each input vertex the vertex that it has been merged into after `count` collapses. Goes
+// backwards, so that the survivor of kept[i] is already known when removed[i] needs it.
 std::vector<uint32_t> findSurvivors(const History& history, size_t count) {
   std::vector<uint32_t> survivor(history.vertexCount);
   std::iota(survivor.begin(), survivor.end(), 0);
@@ -42,7 +42,8 @@ std::vector<uint32_t> findSurvivors(const History& history, size_t count) {
   return survivor;
 }
 
-// Writes every triangle behind those that are left, without branches, for they could not be predicted.
+// Appends every triangle and advances only if it remains: branch-free, because branches would be
+// unpredictable.
 void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& survivor, uint32_t expected,
                       MeshAt& result) {
   result.mesh.triangles.resize(size_t{expected} + 1);
@@ -54,15 +55,15 @@ void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& su
     result.mesh.triangles[count] = triangle;
     result.inputOfTriangle[count] = t;
     const auto differ = [&](int i, int j) { return static_cast<uint32_t>(triangle[i] != triangle[j]); };
-    count += differ(0, 1) & differ(1, 2) & differ(2, 0);  // without a branch
+    count += differ(0, 1) & differ(1, 2) & differ(2, 0);  // branch-free
     if (count > expected) refuseHistory();
   }
   result.mesh.triangles.resize(count);
   result.inputOfTriangle.resize(count);
 }
 
-// Numbers the vertices that triangles use in the order of the input; all others get the number behind the
-// last. Without branches, for they could not be predicted.
+// Numbers the vertices that triangles use in the order of the input; all others get the number after the
+// last. Branch-free, because branches would be unpredictable.
 std::vector<uint32_t> numberVertices(const TriangleMesh& input, MeshAt& result) {
   std::vector<uint32_t> number(input.vertexCount(), 0);
   for (const Triangle& triangle : result.mesh.triangles)
@@ -88,10 +89,10 @@ void positionVertices(const History& history, size_t count, const std::vector<ui
   for (size_t i = 0; i < count; ++i)
     result.mesh.positions[number[history.kept[i]]] = {history.positions[3 * i], history.positions[3 * i + 1],
                                                       history.positions[3 * i + 2]};
-  result.mesh.positions.resize(result.inputOfVertex.size());  // the last one is of vertices without a number
+  result.mesh.positions.resize(result.inputOfVertex.size());  // the last one is for vertices without a number
 }
 
-// Names vertices by their numbers instead of their indices in the input.
+// Replaces the indices of vertices in the input by their numbers.
 void renumber(const std::vector<uint32_t>& survivor, const std::vector<uint32_t>& number, MeshAt& result) {
   const auto usedCount = static_cast<uint32_t>(result.inputOfVertex.size());
   for (Triangle& triangle : result.mesh.triangles)

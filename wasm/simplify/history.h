@@ -10,13 +10,13 @@ namespace limber {
 // Why a history ends.
 enum class StopReason : int32_t {
   Target = 0,     // the requested number of triangles is reached
-  Deviation = 1,  // all other legal collapses would go too far from the input
+  Deviation = 1,  // all other legal collapses would move the surface too far from the input
   Angle = 2,      // all other legal collapses would make an angle too small
   Exhausted = 3,  // no legal collapse is left
 };
 
-// Numbers of edges that are left at the end, by the first reason why they cannot collapse; all 0 if the
-// history ended at its target.
+// Numbers of edges that remain at the end, by the first reason why they cannot collapse; all 0 if the history
+// ended at its target.
 struct Refused {
   uint32_t topology = 0;   // the link condition: components, holes or handles would change
   uint32_t flip = 0;       // a face would flip or lose its area
@@ -25,7 +25,7 @@ struct Refused {
   uint32_t deviation = 0;  // the surface would be farther than `maxDeviation` from the input
 };
 
-// Every collapse from the input down to the floor, or to where a target ended it, in order; 24 bytes each.
+// All collapses in order from the input down to the floor, or to the target that ended it; 24 bytes each.
 // Collapse i moves vertex kept[i] to position i, gives it the triangles of removed[i], and leaves
 // trianglesAfter[i] triangles.
 struct History {
@@ -33,8 +33,8 @@ struct History {
   std::vector<uint32_t> kept, removed;          // vertices of the input
   std::vector<float> positions;                 // positions[3 * i + c]
   std::vector<uint32_t> trianglesAfter;         // strictly descending
-  // Per collapse an estimate of how far it has taken the surface from the input, see DeviationEstimate; in
-  // units of the mesh, in no order. Empty unless SimplifyOptions::recordErrors is set.
+  // Per collapse an estimate of how far it has moved the surface from the input, see DeviationEstimate; in
+  // units of the mesh, not monotonic. Empty unless SimplifyOptions::recordErrors is set.
   std::vector<float> errors;
   Refused refused;  // at the end
   StopReason stop = StopReason::Exhausted;
@@ -43,8 +43,8 @@ struct History {
 };
 
 // Edges that were flipped after the history. `triangles` are those before the flips; corners[3 * t + c] is
-// the flat index of the corner of these that corner c of triangle t was, which lay at the same vertex and in
-// the same chart. Both are empty if nothing was flipped.
+// the flat index in `triangles` of the corner that corner c of triangle t was, at the same vertex and in the
+// same chart. Both are empty if nothing was flipped.
 struct Flips {
   std::vector<Triangle> triangles;
   std::vector<uint32_t> corners;
@@ -54,16 +54,16 @@ struct Flips {
 // there is no such mesh. O(log n).
 uint32_t collapsesFor(const History& history, uint32_t faces);
 
-// Throws std::invalid_argument if a history cannot belong to this mesh. Checks counts and ranges alone.
+// Throws std::invalid_argument if a history cannot belong to this mesh. Only checks counts and ranges.
 void checkBelongs(const TriangleMesh& input, const History& history);
 [[noreturn]] void refuseHistory();
 
 // The mesh at one moment of a history, without unused vertices and in the order of the input.
 struct MeshAt {
   TriangleMesh mesh;
-  std::vector<uint32_t> vertexOfInput;  // per input vertex: the vertex of `mesh` that it has become, or kNone
-  std::vector<uint32_t> inputOfVertex;  // per vertex of `mesh`: the input vertex that has survived as it
-  std::vector<uint32_t> inputOfTriangle;  // per triangle of `mesh`: which input triangle it is
+  std::vector<uint32_t> vertexOfInput;    // per input vertex: the vertex of `mesh` that it became, or kNone
+  std::vector<uint32_t> inputOfVertex;    // per vertex of `mesh`: the input vertex that it was
+  std::vector<uint32_t> inputOfTriangle;  // per triangle of `mesh`: the input triangle that it was
   Flips flips;
 };
 

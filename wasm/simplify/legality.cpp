@@ -11,16 +11,16 @@ namespace limber {
 namespace {
 
 // A face may rotate by up to 78 degrees in one collapse (cosine of the angle between its normals). Smaller
-// values allow more collapses and more folds.
+// cosines allow more collapses and more folds.
 constexpr double kSmallestCosine = 0.2;
-// A face whose height is a smaller part of its longest edge has practically no area. No collapse may make
-// such a face, though one that exists may stay.
+// A face whose height is a smaller fraction of its longest edge has practically no area. No collapse may
+// create such a face, but existing ones may stay.
 constexpr double kSmallestHeight = 1e-6;
-// Below this part of the longest edge the height is float32 noise, so the face has no side that could flip.
+// Below this fraction of the longest edge the height is float32 noise, so the face has no orientation that
+// could flip.
 constexpr double kNoise = 1e-8;
 
-// The square of: twice the area over the square of the longest edge, which is the height as a part of that
-// edge.
+// The square of twice the area over the squared longest edge, that is, of the height over that edge.
 double squaredFlatness(const Vec3& areaNormal, const Vec3& p, const Vec3& q, const Vec3& r) {
   const double longest = std::max({squaredLength(q - p), squaredLength(r - q), squaredLength(p - r)});
   return squaredLength(areaNormal) / (longest * longest);
@@ -33,7 +33,7 @@ bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   const double cosine = dot(before, after);
   const double lengths = squaredLength(before) * squaredLength(after);
   const bool flips = cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths;
-  // No edge is longer than the other two together, so this bound mostly shows at once that the height
+  // No edge is longer than the other two together, so this bound usually shows at once that the height
   // suffices.
   const double square = 2 * (squaredLength(side) + squaredLength(target - q));
   if (!flips && squaredLength(after) > 4 * kSmallestHeight * kSmallestHeight * square * square) return false;
@@ -44,7 +44,7 @@ bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   return flips || !(flatness >= flatnessBefore);
 }
 
-// Whether neither of two faces (p, q, r) can be spoilt, by the quick bound of `isSpoilt`.
+// Whether the quick bound of `isSpoilt` shows that neither of two faces (p, q, r) is spoilt.
 bool areSafe(const Point<RealPair>& p, const Point<RealPair>& q, const Point<RealPair>& r,
              const Point<RealPair>& target) {
   const Point<RealPair> side = r - q, way = target - q;
@@ -90,17 +90,17 @@ bool Legality::mixesPinnedSets(uint32_t edge) const {
   return kept == kNone || pinnedSets_[kept == a ? b : a] != 0;
 }
 
-// The link condition: the links of the two ends meet in the link of the edge and nowhere else, where at
-// borders a virtual vertex is taken to close each of them (Dey et al. 1999). Then the collapse is a
-// homeomorphism, so components, loops and genus stay. In terms of vertices, the ends have no common
-// neighbours but the third vertices of the edge's triangles. In terms of edges there are two cases left:
+// The link condition: the links of the two ends meet in the link of the edge and nowhere else, where each
+// border is closed by a virtual vertex (Dey et al. 1999). Then the collapse is a homeomorphism, so
+// components, loops and genus do not change. In terms of vertices, the ends have no common neighbours except
+// the third vertices of the edge's triangles. In terms of edges there are two cases left:
 // - a tetrahedron, whose opposite edge lies in both links;
 // - a lone triangle, whose other two edges are borders, so that the edge from the third vertex to the virtual
 //   one lies in both links.
-// (A border loop of three edges is caught as a common neighbour, inner edges between borders by
+// (A border loop of three edges is caught as a common neighbour, interior edges between borders by
 // `permanentVerdict`.) Feature edges are closed by the same virtual vertex, so that surface and feature edges
-// together keep their topology: an edge whose both ends are on feature edges must be one, and no triangle may
-// vanish between three.
+// together keep their topology: an edge with both ends on feature edges must itself be a feature edge, and no
+// triangle with three feature edges may vanish.
 bool Legality::keepsTopology(const Collapse& step) {
   const auto triangles = static_cast<uint32_t>(mesh_.trianglesOnEdge(step.edge));
   const auto starKept = mesh_.star(step.kept), starRemoved = mesh_.star(step.removed);

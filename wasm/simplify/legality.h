@@ -11,15 +11,16 @@ namespace limber {
 // Why a collapse is refused, in the order in which the rules are checked.
 enum class Verdict : uint8_t { Legal, Locked, Topology, Flip, Angle, Deviation };
 
-// The rules that keep topology, orientation, constraints and angles of a surface. Uses marks in the mesh, so
-// it must not be used from several threads.
+// The rules that preserve topology, orientation, constraints and angles of a surface. Uses marks in the mesh,
+// so it must not be used from several threads.
 class Legality {
  public:
   // Keeps a reference to `mesh` and to the lists of `options`.
   Legality(CollapseMesh& mesh, const SimplifyOptions& options);
 
-  // Why an edge can never collapse as long as its ends are the same vertices: both ends must stay, they are
-  // in different pinned sets, or a vertex would leave its feature edges. Legal if none of these applies.
+  // The reason why an edge cannot collapse as long as its ends are the same vertices: both ends must stay,
+  // they are in different pinned sets, or a vertex would leave its feature edges. Legal if none of these
+  // applies.
   Verdict permanentVerdict(uint32_t edge) const {
     const auto [a, b] = mesh_.edge(edge);
     const VertexRole &atA = mesh_.role(a), &atB = mesh_.role(b);
@@ -42,7 +43,7 @@ class Legality {
 
   CollapseMesh& mesh_;
   std::span<const uint32_t> pinnedSets_;
-  double largestCosine_;  // of an angle that a collapse may make; 1 without `minAngle`
+  double largestCosine_;  // of an angle that a collapse may create; 1 without `minAngle`
 };
 
 }  // namespace limber

@@ -6,7 +6,7 @@
 
 namespace limber {
 
-// The method of a name, such as "qem". Throws std::invalid_argument with the names there are.
+// The method of a name, such as "qem". Throws std::invalid_argument that lists the known names.
 Method methodNamed(std::string_view name);
 
 }  // namespace limber

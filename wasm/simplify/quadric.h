@@ -6,8 +6,8 @@
 namespace limber {
 
 // The weighted sum of squared distances to planes, as a function of the point p (Garland & Heckbert 1997):
-// p^T A p + 2 b.p + c, A symmetric. `area` is what the sum is normalised by. QuadricOf<RealPair> is two
-// quadrics side by side.
+// p^T A p + 2 b.p + c, A symmetric. The sum is normalised by `area`. QuadricOf<RealPair> is a pair of
+// quadrics.
 template <class Real>
 struct QuadricOf {
   Real xx, xy, xz, yy, yz, zz;  // A
@@ -35,7 +35,7 @@ inline QuadricOf<RealPair> asPair(const Quadric& p, const Quadric& q) {
           RealPair{p.area, q.area}};
 }
 
-// `weight` times the squared distance to the plane through `point` with the unit normal n; without area.
+// `weight` times the squared distance to the plane through `point` with the unit normal n; adds no area.
 inline Quadric planeQuadric(const Vec3& n, const Vec3& point, double weight) {
   const Vec3 w = n * weight;
   const double offset = -dot(n, point);
@@ -60,11 +60,11 @@ Real normalizedError(const QuadricOf<Real>& q, const Point<Real>& p) {
   return ((mean > 0) & (q.area > 0)) ? mean : Real{};
 }
 
-// The point of least error; where the planes do not determine it (on flat faces and along straight creases),
-// the point nearest to `start` among those. Solved as a proximal-point iteration: each of two steps minimises
-// the error plus kDamping tr(A) times the squared distance from the last point. The damping keeps the solve
-// stable; the second step reduces its bias to kDamping^2 in well-determined directions, less than float32
-// positions show.
+// The point of least error; if the planes do not determine it (on flat faces and along straight creases), the
+// one of these points that is nearest to `start`. Solved as a proximal-point iteration: each of two steps
+// minimises the error plus kDamping tr(A) times the squared distance from the last point. The damping keeps
+// the solve stable; the second step reduces its bias to kDamping^2 in well-determined directions, which is
+// below the resolution of float32 positions.
 template <class Real>
 Point<Real> minimize(const QuadricOf<Real>& q, const Point<Real>& start) {
   constexpr double kDamping = 1e-5;
@@ -79,7 +79,7 @@ Point<Real> minimize(const QuadricOf<Real>& q, const Point<Real>& start) {
     return Point<Real>{cxx * g.x + cxy * g.y + cxz * g.z, cxy * g.x + cyy * g.y + cyz * g.z,
                        cxz * g.x + cyz * g.y + czz * g.z};
   };
-  // The gradient that the first step leaves is the damping times its displacement.
+  // The gradient after the first step is the damping times its displacement.
   const Point<Real> first = solve(halfGradient(q, start) * inverse);
   return start - (first + solve(first * (damping * inverse)));
 }

@@ -71,7 +71,7 @@ class Simplification {
     for (bool goesOn = true; goesOn;) {
       const uint32_t before = history_.collapseCount();
       collapseAll();
-      // A round without a collapse would be followed by equal ones.
+      // After a round without a collapse all further rounds would be the same.
       const bool hasCollapsed = history_.collapseCount() > before;
       goesOn = !isDone() && ((queueLegalEdges() && hasCollapsed) || queueDeferredEdges());
     }
@@ -81,7 +81,7 @@ class Simplification {
   }
 
  private:
-  // By which of its numbers an edge waits in the queue.
+  // The number by which an edge is queued.
   enum class QueuedBy : uint8_t { Nothing, Bound, Cost };
 
   bool isDone() const { return mesh_.triangleCount() <= stopFaces_; }
@@ -98,8 +98,8 @@ class Simplification {
     queueByBounds(edges_);
   }
 
-  // Not inlined, for `run` has something to destroy: with Emscripten's exceptions every call from such a
-  // function takes a detour through JavaScript.
+  // Not inlined, because `run` has local objects with destructors: with Emscripten's exceptions every call
+  // from such a function takes a detour through JavaScript.
   [[gnu::noinline]] void collapseAll() {
     while (!isDone() && findFirst()) tryCheapest();
   }
@@ -111,8 +111,8 @@ class Simplification {
     });
   }
 
-  // An edge comes up by its bound first and is queued again by its cost, unless that is the lowest anyway. So
-  // the order is that of the costs, though most of them are never computed.
+  // An edge first comes up by its bound and is queued again by its cost, unless that is the lowest anyway.
+  // The order is therefore that of the costs, although most of them are never computed.
   void tryCheapest() {
     const uint32_t edge = queue_.pop();
     if (!costs_.boundsAreCosts() && queuedBy_[edge] == QueuedBy::Bound && isQueuedAgain(edge)) return;
@@ -133,7 +133,8 @@ class Simplification {
     return true;
   }
 
-  // Whether others go first, see SimplifyOptions::deferBeyond. To be asked for legal collapses alone.
+  // Whether the collapse is deferred, see SimplifyOptions::deferBeyond. Must only be called for legal
+  // collapses.
   bool mustDefer(const Collapse& step) { return deferBeyond_ > 0 && estimate_->of(step) > deferBeyond_; }
 
   StopReason stopReason() const {
@@ -173,8 +174,8 @@ class Simplification {
       job_.report(1 - static_cast<double>(mesh_.triangleCount()) / history_.triangleCount);
   }
 
-  // The edges of the kept vertex have new costs. The edges of its neighbours have a new neighbourhood:
-  // some methods price it, and with every method a collapse that was refused may have become legal.
+  // The edges of the kept vertex have new costs. The edges of its neighbours have a new neighbourhood: for
+  // some methods it affects the cost, and for all methods a refused collapse may have become legal.
   void updateCosts(uint32_t kept) {
     edges_.clear();
     neighbours_.clear();
@@ -226,8 +227,8 @@ class Simplification {
     });
   }
 
-  // Judges every edge that is left, so that the floor is one by its definition: counts the refusals and
-  // queues the legal edges that need not be deferred. Returns whether there are any.
+  // Tests every remaining edge, so that the floor has no legal collapse left, as defined: counts the refusals
+  // and queues the legal edges that need not be deferred. Returns whether there are any.
   bool queueLegalEdges() {
     history_.refused = {};
     edges_.clear();
@@ -257,8 +258,8 @@ class Simplification {
     return !edges_.empty();
   }
 
-  // Lets the collapses that `queueLegalEdges` has just deferred go on, up to at least twice the distance
-  // so far. Returns whether there are any.
+  // Queues the collapses that `queueLegalEdges` has just deferred, up to at least twice the last distance.
+  // Returns whether there are any.
   bool queueDeferredEdges() {
     if (deferred_.empty()) return false;
     const auto least = std::ranges::min_element(deferred_, {}, &Deferred::estimate);
@@ -283,9 +284,8 @@ class Simplification {
   std::vector<QueuedBy> queuedBy_;  // per edge
   std::optional<DeviationEstimate> estimate_;
   uint32_t stopFaces_;
-  double deferBeyond_;  // doubles, see SimplifyOptions::deferBeyond
-  std::vector<Deferred>
-      deferred_;  // the legal collapses that are deferred, ascending, of the last `queueLegalEdges`
+  double deferBeyond_;              // doubles, see SimplifyOptions::deferBeyond
+  std::vector<Deferred> deferred_;  // the deferred legal collapses of the last `queueLegalEdges`, ascending
   bool recordsErrors_ = false;
   std::vector<uint32_t> edges_, neighbours_;  // scratch memory
   Job& job_;

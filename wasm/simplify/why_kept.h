@@ -11,14 +11,14 @@
 
 namespace limber {
 
-// Why a vertex is part of a simplified mesh: the collapse among those of its edges that would come first.
+// Why a vertex is still part of a simplified mesh: the collapse of one of its edges that would come first.
 struct WhyKept {
   uint32_t neighbour = kNone;  // the other end, in the same numbering; kNone for a vertex without edges
-  CostTerms terms;             // of that collapse; 0 where the vertex is locked
-  Verdict verdict = Verdict::Locked;  // of that collapse; the cheapest legal one comes before all others
+  CostTerms terms;             // of that collapse; 0 if the vertex is locked
+  Verdict verdict = Verdict::Locked;  // of that collapse; the cheapest legal one has priority over all others
 };
 
-// A history together with what it was made from.
+// A history together with its inputs.
 struct Reduction {
   const TriangleMesh& mesh;
   Guidance guidance;
@@ -26,9 +26,9 @@ struct Reduction {
   const History& history;
 };
 
-// For every vertex of meshAt(mesh, history, faces), in its order. maxDeviation is not asked. Repeats the
-// collapses up to there without pricing them, which takes about a third of the time of `simplify`. Throws
-// Cancelled, and std::invalid_argument where the history does not belong to the rest.
+// The reason for every vertex of meshAt(mesh, history, faces), in its order. maxDeviation is not checked.
+// Replays the collapses up to there without pricing them, which takes about a third of the time of
+// `simplify`. Throws Cancelled, and std::invalid_argument if the history does not belong to the inputs.
 std::vector<WhyKept> whyKept(const Reduction& reduction, uint32_t faces, Job& job);
 
 }  // namespace limber

@@ -9,9 +9,9 @@ namespace {
 constexpr uint32_t kMatrix = 0, kVector = 6, kConstant = 9, kArea = kFormSize, kTextureArea = kArea + 1;
 // A triangle whose height is a smaller part of its longest edge has no meaningful gradient.
 constexpr double kSmallestHeight = 1e-4;
-// What a displacement within the surface counts beside one across it: little, but enough that flat sheets
-// which move within their plane collapse in a meaningful order. Twice as much or nothing changes pictures of
-// a fox by a quarter of a dB on average; docs/pictures.md has the curve.
+// The weight of a displacement within the surface relative to one across it: small, but enough for a
+// meaningful order of collapses in flat sheets that move within their plane. Twice as much or none at all
+// changes pictures of a fox by a quarter of a dB on average; docs/pictures.md has the curve.
 constexpr double kWithinSurface = 0.05;
 
 }  // namespace

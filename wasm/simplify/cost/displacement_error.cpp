@@ -21,7 +21,7 @@ Fields product(const Metric& m, const Fields& u) {
   return all;
 }
 
-// Adds `weight` times u^T v, made symmetric.
+// Adds `weight` times u^T v, symmetrised.
 void addProduct(double* form, const Fields& u, const Fields& v, double weight) {
   for (uint32_t entry = 0; entry < kFormSize; ++entry) {
     const auto [i, j] = kEntries[entry];

@@ -8,12 +8,12 @@
 
 namespace limber {
 
-// The error of displacements u_f(p) that are linear over each triangle, in a metric M_f of each: with c(p)
-// the area-weighted mean of the u_f(p),
+// The error of displacements u_f(p) that are linear over each triangle, in a metric M_f for each triangle:
+// with c(p) the area-weighted mean of the u_f(p),
 //   E(p) = sum_f a_f (u_f(p) - c(p))^T M_f (u_f(p) - c(p)).
 // That is a quadratic form in (p, 1). It follows from sums over the triangles: the form a u^T M u and the
-// matrix a M, which displacements share, and for each of them the fields a u and a M u. All are flat arrays
-// that add up.
+// matrix a M, which all displacements share, and for each of them the fields a u and a M u. All are flat
+// arrays that can be added.
 
 // A field at p is the dot product of its four numbers with (p, 1).
 using LinearField = std::array<double, 4>;
@@ -35,8 +35,8 @@ struct WeightedMetric {
   double area;
 };
 
-// The metric in which what lies along the unit normal counts in full, and what lies across the normal
-// `within` as much.
+// The metric in which the component along the unit normal counts fully, and the tangential component with the
+// factor `within`.
 Metric metricAlong(const Vec3& normal, double within);
 
 // Adds `weight` times the square of the field.
@@ -46,8 +46,8 @@ void addSquare(double* form, const LinearField& field, double weight);
 void addDisplacements(double* sums, double* form, std::span<const LinearField> u,
                       const WeightedMetric& triangle);
 
-// Adds to the form what E has besides the sum of a u^T M u, for two sets of triangles with these sums
-// together; `area` is that of both.
+// Adds to the form the terms of E other than the sum of a u^T M u, for two sets of triangles with these total
+// sums; `area` is their total area.
 void takeMeansOff(double* form, const std::array<const double*, 2>& sums, uint32_t count, double area);
 
 }  // namespace limber

@@ -9,22 +9,22 @@
 namespace limber {
 namespace {
 
-// What E_QEM counts against the size cost: larger values follow the surface more closely, smaller ones make
-// edges more even in length and put more of them where strain is high.
+// The weight of E_QEM relative to the size cost: larger values approximate the surface more closely, smaller
+// ones make edge lengths more uniform and put more edges where strain is high.
 constexpr double kErrorWeight = 3;
-// Worse qualities cost no more than this one, so that collapses between needles keep a finite order.
+// Worse qualities cost no more than this one, so that collapses between needles have finite, ordered costs.
 constexpr double kLeastQuality = 1e-6;
-// The sliver price is (kSliverQuality / q)^4: 1 at an angle of about five degrees, and steep, so that decent
-// triangles pay next to nothing. A larger quality or a lower power would push collapses away from where the
-// surface asks for them, and cost distance.
+// The sliver price is (kSliverQuality / q)^4: 1 at an angle of about five degrees, and steep, so that good
+// triangles pay almost nothing. A larger quality or a lower power would move collapses away from where they
+// cost the least distance.
 constexpr double kSliverQuality = 0.15;
-// Triangles of a better quality, in multiples of kSliverQuality, pay no sliver price at all: it would be
-// below 1 / 16, and the triangles around need not be examined.
+// Triangles of a better quality, in multiples of kSliverQuality, have no sliver price at all: it would be
+// below 1 / 16, and this avoids testing the triangles around.
 constexpr double kSliverRange = 2;
-// The price is asked only where all triangles around are better than this (eight degrees between equal
-// sides). Elsewhere slivers cannot be helped, and avoiding them would cost distance for nothing.
+// The price only applies if all triangles around are better than this (eight degrees between equal sides).
+// Elsewhere slivers cannot be avoided, and trying to would only cost distance.
 constexpr double kNoSliver = 0.24;
-// A higher bound would prevent more slivers; but costs that may fall far come up late, see CostPolicy.
+// A higher bound would prevent more slivers, but edges whose cost can fall far come up late, see CostPolicy.
 constexpr double kLargestSliverPrice = 3;
 
 double fourthPower(double x) {
@@ -97,7 +97,7 @@ CostTerms LimberCost::terms(uint32_t edge, const Optimum& optimum) const {
   return terms;
 }
 
-// The price of the length of an edge, higher where it strains.
+// The cost of the length of an edge, higher where strain is high.
 double LimberCost::sizeCost(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
   const double strain = strainWeight_ != 0 ? strainWeight_ * strainAt(edge) : 0;
@@ -110,7 +110,7 @@ double LimberCost::strainAt(uint32_t edge) const {
   return std::max(strainOfVertex_[a], strainOfVertex_[b]);
 }
 
-// The factor that the worst triangle puts on a cost.
+// The factor of the worst triangle on a cost.
 double LimberCost::qualityFactor(uint32_t edge, const Vec3& target) const {
   const double quality = std::max(worstQualityAfter(edge, target), kLeastQuality);
   return 1 + qualityWeight_ * (1 / quality - 1) * (1 + sliverPrice(edge, quality));

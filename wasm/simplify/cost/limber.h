@@ -30,7 +30,7 @@ class LimberCost : public CostBase {
   void setBounds(std::span<const uint32_t> edges);
   // The bound becomes the cost without the price of quality.
   void raiseBounds(std::span<const uint32_t> edges);
-  // Less than before where the edge is shorter now, and no less than its size cost.
+  // Lower than before if the edge is shorter now, but no lower than its size cost.
   double expectedCost(uint32_t edge, double cost);
   double cost(uint32_t edge) const { return bound(edge) * qualityFactor(edge, target(edge)); }
   CostTerms terms(uint32_t edge, const Optimum& optimum) const;
@@ -46,7 +46,7 @@ class LimberCost : public CostBase {
   double sliverPrice(uint32_t edge, double quality) const;
 
   double strainWeight_, qualityWeight_, sizeWeight_;
-  std::vector<float> strainOfVertex_;  // mean strain rank over the area that has become a vertex; or empty
+  std::vector<float> strainOfVertex_;  // mean strain rank over the area merged into a vertex; or empty
   std::vector<float> sizeCosts_;       // per edge: the size cost that belongs to its last cost
 };
 

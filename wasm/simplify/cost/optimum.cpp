@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kFrameDiagonal = 300;
 // How far from the middle of an edge its optimum may lie, in lengths of the edge. Farther ones come from
-// nearly parallel planes and make spikes; a smaller bound would cut off sharp corners.
+// nearly parallel planes and create spikes; a smaller bound would cut off sharp corners.
 constexpr double kLargestOffset = 2;
 
 }  // namespace
@@ -31,7 +31,7 @@ template <class Real>
 struct OptimumFinder::Minimum {
   Point<Real> position;
   Real error;   // E_QEM
-  Real excess;  // positive where the position is too far away
+  Real excess;  // positive if the position lies too far away
 };
 
 template <class Real>
@@ -62,7 +62,7 @@ Optimum OptimumFinder::find(uint32_t edge) const {
   return *std::ranges::min_element(choices, {}, &Optimum::error);
 }
 
-// Bit-equal to `find` for each, in less time.
+// Bit-identical to `find` for each, in less time.
 std::array<Optimum, 2> OptimumFinder::findTwo(const Input& e, const Input& f) const {
   if (!e.isFree || !f.isFree) return {find(e.edge), find(f.edge)};
   const auto minimum = minimumOf(asPair(e.sum, f.sum), asPair(e.p, f.p), asPair(e.q, f.q));

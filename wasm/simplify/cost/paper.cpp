@@ -92,7 +92,7 @@ uint32_t PaperCost::nearestInputVertex(const Vec3& target, uint32_t edge) const 
   return toA == 0 || toB == 0 ? guess : nearestVertex_.find(inFile(target), guess);
 }
 
-// E_tri_q (Eq. 10) after the collapse; 0 where it changes no triangle.
+// E_tri_q (Eq. 10) after the collapse; 0 if it changes no triangle.
 double PaperCost::meanQualityDeficit(uint32_t edge, const Vec3& target) const {
   double sum = 0;
   int count = 0;

@@ -13,9 +13,9 @@ namespace limber {
 // Method `paper`: E_QEM + alpha E_strain + beta E_curv + gamma E_tri_q (Eq. 11), in the frame of
 // OptimumFinder. E_strain is the larger strain rank of the input triangles nearest to both ends, E_curv the
 // curvature of the input vertex nearest to the optimum, E_tri_q the mean quality deficit 1 - q of the changed
-// triangles (Eq. 10). The paper does not say how the triangles of one collapse make one number. alpha, beta
-// and gamma are strainWeight, curvatureWeight and qualityWeight: the larger, the more the surface may lose
-// for them.
+// triangles (Eq. 10). The paper does not say how the triangles of one collapse are combined into one number.
+// alpha, beta and gamma are strainWeight, curvatureWeight and qualityWeight: the larger they are, the more
+// surface accuracy they may cost.
 class PaperCost : public CostBase {
  public:
   static constexpr std::string_view kName = "paper";

@@ -11,25 +11,26 @@
 
 namespace limber {
 
-// How a method prices collapses. The collapse loop is compiled once for each policy.
+// The requirements on a cost policy: how a method prices collapses. The collapse loop is compiled once for
+// each policy.
 //
-// Costs are evaluated lazily: each edge has a bound first, which its cost never falls below while its own
-// ends stay as they are. `setBounds` gives edges cheap bounds and may be called for different edges at the
-// same time; `raiseBounds` gives better ones, valid as long, and sets the targets. `bound` and `target`
-// return what was set last; a target is the optimum of the edge. `cost` is for edges with a raised bound, or
-// with one that is the cost; `terms` are the parts of the cost at an optimum.
+// Costs are evaluated lazily: each edge first has a bound, below which its cost never falls while its own
+// ends do not change. `setBounds` gives edges cheap bounds and may be called for different edges at the same
+// time; `raiseBounds` gives better ones, which stay valid as long, and sets the targets. `bound` and `target`
+// return the values set last; a target is the optimum of the edge. `cost` may be called for edges with a
+// raised bound, or with one that is the cost; `terms` are the parts of the cost at an optimum.
 //
 // - boundsAreCosts: whether the bounds of `setBounds` are the costs themselves.
 // - followsNeighbourhood: whether edges have to be queued again by their bounds when their ends or the
-//   triangles around these change. Otherwise they stay where they are queued, or where `expectedCost` puts
-//   them, and are priced anew when they come up: most have become dearer, or are gone by then. Only an edge
-//   that has become cheaper comes late, which does not show in the distance of the result (0.5 % less for qem
-//   on 18 meshes at 25 %).
-//   Deviation: the paper computes all scores again that a collapse changes.
+//   triangles around these change. Otherwise they keep their position in the queue, or get that of
+//   `expectedCost`, and are priced again when they come up: most have become more expensive, or have been
+//   removed by then. Only an edge that has become cheaper comes up late, which has no visible effect on the
+//   distance of the result (0.5 % less for qem on 18 meshes at 25 %).
+//   Deviation: the paper recomputes all scores that a collapse changes.
 // - kTolerance: of two costs whose ratio is below this, either may go first; 1 for an exact order.
-// - expectedCost(edge, cost): an estimate of the cost of an edge, which has been `cost`, after its own ends
-//   have changed.
-// - collapse: to be called before the mesh carries out a collapse; updates the data of the kept vertex.
+// - expectedCost(edge, cost): an estimate of the cost of an edge after its own ends have changed; `cost` is
+//   its previous cost.
+// - collapse: must be called before the mesh carries out a collapse; updates the data of the kept vertex.
 template <class Cost>
 concept CostPolicy = std::constructible_from<Cost, const TriangleMesh&, const CollapseMesh&, const Guidance&,
                                              const SimplifyOptions&> &&
@@ -49,7 +50,7 @@ concept CostPolicy = std::constructible_from<Cost, const TriangleMesh&, const Co
                        costs.collapse(Collapse{});
                      };
 
-// The methods: a new one is a policy in a file of its own and a row here. `Method` is the index of a row.
+// The methods: a new one needs a policy in a file of its own and a row here. `Method` is the index of a row.
 using CostPolicies = std::tuple<QemCost, PaperCost, LimberCost>;
 
 // Calls task.template operator()<Policy>() with the policy of a method and returns the result.

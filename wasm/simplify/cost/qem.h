@@ -9,8 +9,8 @@
 namespace limber {
 
 // Method `qem`: E_QEM alone (see OptimumFinder), with the size weight times the squared length of the edge as
-// part of the error. Larger size weights take short edges first, so triangles become more even in size and
-// the surface is followed less closely.
+// part of the error. Larger size weights collapse short edges first, so triangles become more uniform in size
+// and the surface is approximated less closely.
 class QemCost : public CostBase {
  public:
   static constexpr std::string_view kName = "qem";

@@ -92,7 +92,7 @@ Collapse Mirror::imageOf(const Collapse& step) const {
   return {edge, kept, removed, imageTarget(edge, kept, step)};
 }
 
-// A vertex that is held in place may lie a little beside the image of its partner, see kSymmetry.
+// A fixed vertex may differ slightly from the image of its partner, see kSymmetry.
 Vec3 Mirror::imageTarget(uint32_t edge, uint32_t kept, const Collapse& step) const {
   if (isOnPlane(kept)) return step.target;
   const bool isFixed = edge != kNone && mesh_.fixedEnd(edge) == kept;
@@ -105,8 +105,8 @@ bool Mirror::areNeighbours(uint32_t a, uint32_t b) const {
   return found;
 }
 
-// Whether the step would leave its image, into the same vertex of the plane, one of the two collapses that
-// Legality::keepsTopology forbids by their stars: in a tetrahedron and in a lone triangle.
+// Whether the step would turn its image, which collapses into the same vertex of the plane, into one of the
+// two cases that Legality::keepsTopology forbids: a tetrahedron and a lone triangle.
 bool Mirror::forbidsImage(const Collapse& step) const {
   const size_t kept = mesh_.star(step.kept).size(), removed = mesh_.star(step.removed).size();
   if (mesh_.trianglesOnEdge(step.edge) == 1) return kept == 2 && removed == 1;
@@ -121,9 +121,9 @@ bool Mirror::isApart(const Collapse& step) const {
   if (keptImage != kept)
     return !areNeighbours(kept, keptImage) && !areNeighbours(kept, removedImage) &&
            !areNeighbours(removed, keptImage);
-  // Both collapse into one vertex of the plane, which stays where it is.
+  // Both collapse into one vertex of the plane, which does not move.
   if (mesh_.fixedEnd(step.edge) != kept || forbidsImage(step)) return false;
-  // Their common neighbours must be neighbours of that already.
+  // Their common neighbours must already be neighbours of that vertex.
   bool apart = true;
   mesh_.forEachEdge(removed, [&](uint32_t, uint32_t other) {
     if (other != kept && areNeighbours(removedImage, other) && !areNeighbours(kept, other)) apart = false;

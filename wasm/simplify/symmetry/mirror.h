@@ -29,28 +29,28 @@ struct MirrorPlane {
 // The mean plane between vertices and their partners.
 MirrorPlane fitMirrorPlane(std::span<const Vec3> positions, std::span<const uint32_t> partners);
 
-// Keeps the mirror symmetry of a mesh, given by pairs of vertices: each collapse is carried out together with
-// its image, so that both sides stay images of each other, bit by bit if the plane is x, y or z = 0. Vertices
-// on the plane stay on it. Edges that cross the plane do not collapse, and neither do edges so near to their
-// image that one collapse would affect both.
+// Preserves the mirror symmetry of a mesh, given by pairs of vertices: each collapse is carried out together
+// with its image, so that both sides stay images of each other, bit for bit if the plane is x, y or z = 0.
+// Vertices on the plane stay on it. Edges that cross the plane do not collapse, and neither do edges so near
+// to their image that one collapse would affect both.
 class Mirror {
  public:
   // partners[v] is the image of vertex v, v itself on the plane. Keeps references to `partners` and `mesh`,
-  // which must not have collapsed yet. Throws std::invalid_argument if that is no symmetry of the triangles,
-  // or of the positions to 1e-4 of the diagonal.
+  // which must not have collapsed yet. Throws std::invalid_argument if that is not a symmetry of the
+  // triangles, or of the positions to 1e-4 of the diagonal.
   Mirror(const TriangleMesh& input, const CollapseMesh& mesh, std::span<const uint32_t> partners);
 
   bool isOnPlane(uint32_t v) const { return partners_[v] == v; }
-  // The same collapse with its target moved onto the plane, for a collapse with both ends on the plane.
+  // The collapse with its target moved onto the plane, on which both of its ends must lie.
   Collapse onPlane(const Collapse& step) const;
-  // Whether the collapse needs no second one, because both ends lie on the plane.
+  // Whether the collapse is its own image, because both ends lie on the plane.
   bool isItsOwnImage(const Collapse& step) const { return isOnPlane(step.kept) && isOnPlane(step.removed); }
   // Whether a collapse and its image do not affect each other. Not for a collapse that is its own image.
   bool isApart(const Collapse& step) const;
   // Its `edge` is kNone if the image of the edge does not exist.
   Collapse imageOf(const Collapse& step) const;
-  // Whether an image that exists leaves the end that constraints hold in place where it is. Constraints may
-  // hold vertices on one side alone; then only the step on that side has an image that may follow it.
+  // Whether an existing image does not move an end that constraints fix in place. Constraints may fix
+  // vertices on only one side; then only the step on that side has an image that may follow it.
   bool mayFollow(const Collapse& image, const Collapse& step) const {
     const uint32_t fixed = mesh_.fixedEnd(image.edge);
     return fixed == kNone || (fixed == image.kept && mesh_.fixedEnd(step.edge) == step.kept);

@@ -11,12 +11,12 @@
 namespace limber {
 namespace {
 
-// Of the diagonal; half of what Mirror allows, for its plane differs slightly.
+// Of the diagonal; half of the tolerance of Mirror, whose plane differs slightly.
 constexpr double kTolerance = 5e-5;
 constexpr size_t kVerticesPerRange = 1024;
 
 std::vector<MirrorPlane> candidates(const TriangleMesh& mesh, int axis) {
-  // The axes of the vertices, for areas depend on how quads are cut.
+  // The axes of the vertices, because areas depend on how quads are split.
   const std::vector<double> weights(mesh.vertexCount(), 1);
   const PrincipalAxes principal = principalAxes(mesh.positions, weights);
   std::vector<MirrorPlane> planes;
@@ -66,7 +66,7 @@ MirrorImages imagesAcross(const MirrorSearch& search, const MirrorPlane& plane, 
   MirrorImages images;
   std::vector<uint32_t> partners = partnersAcross(mesh, nearest, plane, job);
   for (const uint32_t partner : partners) images.asymmetricVertices += partner == kNone;
-  // The plane of a flat mesh does not count as a symmetry.
+  // The plane of a flat mesh does not count as a symmetry plane.
   if (liesOnPlane(partners)) images.asymmetricVertices = mesh.vertexCount();
   if (images.asymmetricVertices > 0) return images;
   images.asymmetricTriangles = trianglesWithoutImage(mesh, partners);

@@ -68,7 +68,7 @@ void Matching::match(const Topology::Edge& edge) {
   for (const uint32_t t : {quad->first, quad->second, image->first, image->second}) isDone_[t] = 1;
 }
 
-// The quad of the images of the vertices, if it is cut along the other diagonal and is not the same quad.
+// The quad of the images of the vertices, if it is split along the other diagonal and is not the same quad.
 std::optional<EdgeQuad> Matching::imageOf(const EdgeQuad& quad) const {
   const Topology::Edge* edge = edgeBetween(topology_, partners_[quad.left], partners_[quad.right]);
   if (!edge) return std::nullopt;
