@@ -10,8 +10,8 @@ namespace {
 
 constexpr uint32_t kMostBlocks = 32;
 
-// Appends the connected part of a vertex to an order, breadth first from that vertex. A part can be passed
-// over a second time, from another vertex.
+// Appends the connected part of a vertex to an order, breadth first from that vertex. A part can be traversed
+// a second time, from another vertex.
 class BreadthFirst {
  public:
   BreadthFirst(const Stencils& stencils, uint32_t vertexCount)

@@ -19,7 +19,7 @@ struct Stencils {
   std::span<const uint32_t> of(uint32_t i) const { return vertices.subspan(size_t{i} * stride, stride); }
 };
 
-// The vertices of stencils one after the other, as Stencils has them.
+// The vertices of stencils one after the other, in the layout of Stencils.
 template <size_t N>
 std::vector<uint32_t> flattened(const std::vector<std::array<uint32_t, N>>& stencils) {
   std::vector<uint32_t> vertices;
@@ -30,13 +30,13 @@ std::vector<uint32_t> flattened(const std::vector<std::array<uint32_t, N>>& sten
 
 // A body cut into slices, called blocks, for threads. Constraints whose vertices all lie in one block form
 // the group of that block; constraints that cross from one block to another form the group of a border. Two
-// blocks share no vertex, and the constraints of two borders share none either. So all blocks can be solved
-// at the same time, and then all borders, each in its own order, with the same result on any number of
-// threads.
+// blocks share no vertex, and the constraints of two borders share none either. All blocks can therefore be
+// solved in parallel, and then all borders, each sequentially in its own order, with the same result on any
+// number of threads.
 struct Blocks {
   std::vector<uint32_t> start;     // vertices of block b: [start[b], start[b + 1])
   std::vector<uint32_t> blockOf;   // by vertex
-  std::vector<uint32_t> borderOf;  // by vertex; kNone where no stencil across a border has the vertex
+  std::vector<uint32_t> borderOf;  // by vertex; kNone if no stencil across a border has the vertex
   uint32_t borderCount = 0;
 
   uint32_t count() const { return static_cast<uint32_t>(start.size()) - 1; }
@@ -47,15 +47,15 @@ struct Blocks {
 };
 
 // The vertices in breadth-first order from one end of each connected part to the other, order[slot] = vertex;
-// vertices are connected where they share a stencil. Slices of this order have short borders, whatever the
-// shape of the body and the order of its vertices. No entry is kNone.
+// vertices are connected if they share a stencil. Slices of this order have short borders for any shape of
+// the body and any order of its vertices. No entry is kNone.
 std::vector<uint32_t> orderFromEndToEnd(const Stencils& stencils, uint32_t vertexCount);
 
-// Bodies with fewer vertices than `least` stay whole; others are cut into blocks of about `size` vertices.
+// Bodies with fewer vertices than `least` are one block; others are cut into blocks of about `size` vertices.
 struct BlockSizes {
   uint32_t least, size;
 };
-// How many blocks a body of this many vertices has, at most 32.
+// The number of blocks of a body with this many vertices, at most 32.
 uint32_t blockCountOf(uint32_t vertexCount, const BlockSizes& sizes);
 
 // Cuts the vertices in the order of their indices into `count` blocks of equal size.

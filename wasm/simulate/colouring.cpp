@@ -21,7 +21,7 @@ std::vector<uint32_t> visitingOrder(uint32_t count, uint32_t order) {
   return visits;
 }
 
-// The colours that each vertex already has, 64 to a word.
+// The colours of each vertex so far, 64 to a word.
 class UsedColours {
  public:
   explicit UsedColours(uint32_t vertexCount) : words_(vertexCount) {}
@@ -51,16 +51,16 @@ bool shareVertex(std::span<const uint32_t> one, std::span<const uint32_t> other)
       one, [&](uint32_t v) { return v != kNone && std::ranges::find(other, v) != other.end(); });
 }
 
-// Whether constraint i fits into a batch: a lane is empty and no vertex is shared.
+// Whether constraint i fits into a batch: a lane is empty and it shares no vertex with the others.
 bool hasFreeLane(const Colouring::Batch& batch, uint32_t i, const Stencils& stencils) {
   return batch.back() == kNone && std::ranges::none_of(batch, [&](uint32_t j) {
            return j != kNone && shareVertex(stencils.of(i), stencils.of(j));
          });
 }
 
-// Appends the batches of a group, colour by colour. With `packs`, constraints that fill no batch of their
-// colour are packed together at the end: an empty lane costs as much as a full one, and a body of many groups
-// has many of them.
+// Appends the batches of a group, colour by colour. With `packs`, constraints that do not fill a batch of
+// their colour are packed together at the end: an empty lane costs as much as a full one, and a body with
+// many groups has many empty lanes.
 void appendBatches(const std::vector<std::vector<uint32_t>>& colours, const Stencils& stencils, bool packs,
                    std::vector<Colouring::Batch>& batches) {
   std::vector<uint32_t> rest;

@@ -20,7 +20,7 @@ struct Colouring {
 // One lane of a batch.
 struct Lane {
   int lane;
-  uint32_t constraint, group;  // the constraint is kNone where the lane stays empty
+  uint32_t constraint, group;  // the constraint is kNone if the lane is empty
 };
 
 // Calls set(batch index, Lane) for all lanes of all batches.
@@ -39,10 +39,10 @@ void forEachConstraint(const Colouring& colouring, size_t begin, size_t end, Vis
       if (colouring.batches[i][k] != kNone) visit(i, k, colouring.batches[i][k]);
 }
 
-// Colours constraints greedily: each takes the first colour of its group that none of its vertices has. The
-// batches of a group come colour by colour. Where the body is cut into blocks, the constraints that fill no
-// batch of their colour come last, in batches of several colours. `order` 0 visits the constraints by index,
-// any other number in a shuffled order of its own.
+// Colours constraints greedily: each takes the first colour of its group that no other constraint of its
+// vertices has. The batches of a group come colour by colour. If the body is cut into blocks, the constraints
+// that do not fill a batch of their colour come last, in batches of mixed colours. `order` 0 visits the
+// constraints by index, each other number in a different shuffled order.
 Colouring colour(const Stencils& stencils, const Blocks& blocks, uint32_t order);
 
 }  // namespace limber

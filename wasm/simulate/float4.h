@@ -11,8 +11,8 @@
 
 namespace limber {
 
-// Four floats at once. The vector extension of the compilers makes one source serve wasm SIMD and native
-// code.
+// Four floats at once. With the vector extension of the compilers the same source compiles to wasm SIMD and
+// to native code.
 using Float4 = float __attribute__((vector_size(16)));
 
 inline Float4 splat(float a) {
@@ -89,7 +89,7 @@ inline void fromLanes(const Vec3x4& a, Float4 (&v)[4]) {
 }
 
 // Solves the symmetric positive definite system (xx xy xz; xy yy yz; xz yz zz) s = r by L D L^T in every
-// lane. Pivots are at least 1e-5 of their diagonal entry, so that rounding cannot make them vanish.
+// lane. Pivots are at least 1e-5 of their diagonal entry, so that rounding cannot make them 0.
 struct Symmetric3x4 {
   Float4 xx, xy, xz, yy, yz, zz;
 };

@@ -6,11 +6,11 @@
 
 namespace limber {
 
-// The motions of one vertex per lane. Batches hold pointers rather than indices, which saves the address
-// arithmetic.
+// The motions of four vertices, one per lane. Batches store pointers rather than indices, which saves the
+// address arithmetic.
 using MotionLanes = Motion* [4];
 
-// How far four vertices have moved since the start of the step, one per lane.
+// The displacements of four vertices since the start of the step, one per lane.
 inline Vec3x4 gatherMotion(const MotionLanes& v) {
   const Float4 moved[4] = {v[0]->u + v[0]->q, v[1]->u + v[1]->q, v[2]->u + v[2]->q, v[3]->u + v[3]->q};
   return toLanes(moved);

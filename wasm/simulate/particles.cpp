@@ -4,7 +4,7 @@ namespace limber {
 
 namespace {
 
-// sum += term; the rounding error of the sum goes to `lost` and is added the next time.
+// sum += term; the rounding error of the sum is stored in `lost` and added the next time.
 inline void addExactly(Float4& sum, Float4& lost, Float4 term) {
   const Float4 corrected = term + lost, total = sum + corrected;
   lost = corrected - (total - sum);

@@ -17,25 +17,25 @@ inline Vec3 toVec3(Float4 a) {
   return {double{a[0]}, double{a[1]}, double{a[2]}};
 }
 
-// The motion of a vertex: u is how far it has moved since the start of the step, q how far it moves in this
-// substep, which is its velocity times the substep. Both are (x, y, z, 0) in metres. With many substeps,
-// float positions would stand still, because gravity adds less than half a unit in the last place. Here
-// constraints change only q, which is small, and u starts at 0 in every step.
+// The motion of a vertex: u is its displacement since the start of the step, q that in this substep, which is
+// its velocity times the substep. Both are (x, y, z, 0) in metres. With many substeps, float positions would
+// not move at all, because gravity adds less than half a unit in the last place. Here constraints only change
+// q, which is small, and u starts at 0 in every step.
 struct Motion {
   Float4 u, q;
 };
 
 // The state of all vertices. Positions are doubles and change only between steps; within a step a vertex is
-// at position + u + q. Behind the vertices of the mesh, `motion` and `inverseMass` have an idle vertex per
+// at position + u + q. After the vertices of the mesh, `motion` and `inverseMass` have an idle vertex per
 // group of constraints, which never moves and fills the empty lanes of the group's batches. Idle vertices lie
 // two cache lines apart, because threads that write to the same line wait for each other.
 struct Particles {
   std::vector<Vec3> positions;       // metres, at the start of the step
   std::vector<double> inverseMass;   // 1/kg; 0 for a pinned vertex
   std::vector<Motion> motion;        // within the step
-  std::vector<Motion> lost;          // what the sums u and q have lost to rounding (Kahan summation)
+  std::vector<Motion> lost;          // the rounding errors of the sums u and q (Kahan summation)
   std::vector<Float4> acceleration;  // m/s2 times the substep squared; 0 for a pinned vertex
-  std::vector<float> damping;        // share of q that a substep takes away; 0 for a pinned vertex
+  std::vector<float> damping;        // the share of q that a substep removes; 0 for a pinned vertex
 
   static constexpr uint32_t kIdleStride = 4;
 
@@ -43,7 +43,7 @@ struct Particles {
   uint32_t idle(uint32_t group) const { return count() + kIdleStride * group; }
 };
 
-// What `advance` does: it moves vertices along q (not before the first substep), then changes q by
+// The parts of `advance`: it moves vertices by q (not before the first substep), then changes q by
 // acceleration and damping (not after the last one).
 struct Advance {
   bool moves, accelerates;

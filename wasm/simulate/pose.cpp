@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFlat = 0.25;
 
-// How far the mesh reaches along a unit vector, from end to end.
+// The extent of the mesh along a unit vector, from end to end.
 double lengthAlong(const TriangleMesh& mesh, const Vec3& axis) {
   double low = dot(mesh.positions.front(), axis), high = low;
   for (const Vec3& p : mesh.positions) {

@@ -6,7 +6,7 @@
 
 namespace limber {
 
-// Where a scenario starts a body: rotated about the middle of its box.
+// The pose in which a scenario starts a body: a rotation about the centre of its box.
 struct Pose {
   Vec3 centre;
   std::array<Vec3, 3> rows;  // of the rotation
@@ -18,9 +18,9 @@ struct Pose {
   }
 };
 
-// The least rotation that lays a body flat. Of a sheet, which reaches less than a quarter as far along its
-// principal axis of least variance as along the next one, that axis becomes vertical (y), whatever its pose;
-// of another body, the shortest side of its box, and the last of equal ones.
+// The smallest rotation that lays a body flat. For a sheet, whose extent along its principal axis of least
+// variance is less than a quarter of that along the next one, that axis becomes vertical (y), whatever its
+// pose; for any other body the shortest side of its box, the last of equal ones.
 Pose layFlat(const TriangleMesh& mesh);
 
 }  // namespace limber

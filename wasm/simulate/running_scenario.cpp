@@ -60,7 +60,7 @@ void stepTogether(std::span<RunningScenario* const> bodies, const Job& job) {
     }
     helpers.endTask();
   };
-  // A thread that finds no body left helps with the bodies of other threads.
+  // A thread that finds no more bodies helps with the bodies of other threads.
   const size_t helpCount = static_cast<size_t>(threadCount()) - 1;
   parallelFor(bodies.size() + helpCount, 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) i < bodies.size() ? stepOne(*bodies[i]) : helpers.help();

@@ -10,7 +10,7 @@
 
 namespace limber {
 
-// Empty functions stand for: pins stay at rest, no initial velocity, no gravity, still air, nothing to touch.
+// Null functions mean: pins do not move, no initial velocity, no gravity, still air, nothing to touch.
 struct ScenarioKind {
   std::string_view name;
   bool pinsLowerEnd = false, pinsUpperEnd = false;
@@ -37,13 +37,13 @@ constexpr double kBallRadius = 0.2, kBallGap = 0.01;
 // m/s, seconds, share of the speed, gusts per second.
 constexpr double kWindSpeed = 8, kWindRise = 0.25, kGust = 1.0 / 3, kGustRate = 0.8;
 
-// Rises from 0 to 1 without velocity at either end.
+// Rises from 0 to 1 with zero velocity at both ends.
 double eased(double share) {
   const double s = std::clamp(share, 0.0, 1.0);
   return s * s * (3 - 2 * s);
 }
 
-// The share of the pins' motion that is done, in [0, 1].
+// The completed share of the pins' motion, in [0, 1].
 double motionDone(const Scenario& scenario, double time) {
   return eased(time / (kMovingShare * scenario.seconds));
 }
@@ -96,7 +96,7 @@ void addFloor(const Scenario& scenario, CollisionScene& scene) {
   if (!scene.ground) scene.ground = scenario.box.low.y - kDropHeight * scenario.box.diagonal();
 }
 
-// Under the middle of the posed box, on a floor, so that nothing that slides off is lost.
+// Under the centre of the posed box, on a floor, so that a body that slides off does not fall for ever.
 void addBall(const Scenario& scenario, CollisionScene& scene) {
   const Bounds box = scenario.pose ? scenario.pose->box : scenario.box;
   const double diagonal = scenario.box.diagonal(), radius = kBallRadius * diagonal;
@@ -142,7 +142,7 @@ int Scenario::across() const {
   int shortest = 2;
   for (int c = 1; c >= 0; --c)
     if (size[c] < size[shortest]) shortest = c;
-  // In a cube the axis and the side across it must not be the same.
+  // In a cube, too, the axis and the direction across it must differ.
   return shortest == axis() ? (shortest + 1) % 3 : shortest;
 }
 

@@ -19,61 +19,60 @@ namespace limber {
 //          the square of the height above the lower end.
 //   hang   Gravity, 9.81 m/s2 along -y.
 //   drop   Gravity, and a floor 0.3 diagonals below the box. Closed bodies collide with themselves, so that
-//   legs
-//          stay out of bellies.
+//          legs do not enter bellies.
 //   pull   The pins of the upper half move along the axis by a fifth of its length within 0.7 of the time.
 //   wind   Gravity, and wind across the axis that rises to 8 m/s within a quarter of a second and gusts by a
 //          third, 0.8 times per second.
 //   drape  Laid flat (see layFlat) above a ball of a fifth of a diagonal on a floor; gravity.
 struct ScenarioKind;
 
-// Never null. Throws std::invalid_argument with the known names where there is no scenario of this name.
+// Never null. Throws std::invalid_argument with the known names if there is no scenario of this name.
 const ScenarioKind* scenarioKind(std::string_view name);
 // In the order of the table.
 std::vector<std::string> scenarioNames();
 
-// A motion that any body can be put through. It is a pure function of the box of the original and of time, so
-// that the original and its result are treated alike. The axis is the longest side of the box (the first of
-// equal ones), and its lower end is the one with the lower coordinate.
+// A motion that can be applied to any body. It is a pure function of the box of the original and of time, so
+// that the original and its result are treated identically. The axis is the longest side of the box (the
+// first of equal ones), and its lower end is the one with the lower coordinate.
 struct Scenario {
   const ScenarioKind* kind = nullptr;
   Bounds box = {};                // of the original, in units of the mesh
   double seconds = 0;             // of the whole motion, > 0
   double unit = 1;                // metres per unit of the mesh
-  CollisionScene added = {};      // joins what the scenario has by itself; its ground replaces the scenario's
-  std::optional<Pose> pose = {};  // see startPose; none: the body starts unchanged
+  CollisionScene added = {};      // added to the scenario's own scene; its ground replaces the scenario's
+  std::optional<Pose> pose = {};  // see startPose; none: the body is not rotated
 
   int axis() const;
   // The direction of sway and wind: the shortest side of the box (the last of equal ones).
   int across() const;
 };
 
-// The vertices of the original that a scenario pins unless the user says otherwise, ascending: those within 6
-// % of the length of the axis of its lower end, of its upper end, or of both. None for drop and drape.
+// The vertices of the original that a scenario pins by default, ascending: those within 6 % of the length of
+// the axis of its lower end, of its upper end, or of both. None for drop and drape.
 std::vector<uint32_t> defaultPins(const TriangleMesh& mesh, const Scenario& scenario);
 
-// How the scenario of this kind poses the original at its start; none where it does not.
+// The pose of the original at the start of a scenario of this kind; none if it is not rotated.
 std::optional<Pose> startPose(const ScenarioKind* kind, const TriangleMesh& original);
-// Whether the body collides with itself whatever SimulationOptions say.
+// Whether the body collides with itself regardless of SimulationOptions.
 bool touchesItself(const Scenario& scenario, const TriangleMesh& mesh);
 // A point or a mesh in the pose of the scenario.
 Vec3 posed(const Scenario& scenario, const Vec3& point);
 TriangleMesh posed(const Scenario& scenario, const TriangleMesh& mesh);
 
-// Where a pin that rests at `rest` is at `time` (seconds), in units of the mesh.
+// The position of a pin with the rest position `rest` at `time` (seconds), in units of the mesh.
 Vec3 pinTarget(const Scenario& scenario, const Vec3& rest, double time);
 
-// The velocity at time 0 of a point that rests at `rest`, in m/s.
+// The velocity at time 0 of a point with the rest position `rest`, in m/s.
 Vec3 initialVelocity(const Scenario& scenario, const Vec3& rest);
 
-// All that the body can touch: what the scenario has by itself and what is added. Units of the mesh.
+// Everything that the body can touch: the scenario's own scene and the added one. Units of the mesh.
 CollisionScene collisionSceneOf(const Scenario& scenario);
 
-// Sets gravity, the collision scene and the initial velocities; call it before the first step.
+// Sets gravity, the collision scene and the initial velocities. Must be called before the first step.
 void startScenario(const Scenario& scenario, std::span<const Vec3> restPositions, Simulation& simulation);
 
-// Sets pin targets and wind for the step that begins at `time` (seconds). `pinRest` holds the rest positions
-// of the pins in the order of Simulation::setPinTargets.
+// Sets pin targets and wind for the step that begins at `time` (seconds). `pinRest`: the rest positions of
+// the pins in the order of Simulation::setPinTargets.
 void prepareStep(const Scenario& scenario, double time, std::span<const Vec3> pinRest,
                  Simulation& simulation);
 

@@ -19,14 +19,15 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// How often a waiting thread checks before it first reads the clock; a check takes a nanosecond or less.
+// The number of checks of a waiting thread before it first reads the clock; a check takes a nanosecond or
+// less.
 constexpr int kSpins = 2000;
 // A thread that has waited this long (for a long phase, or for a thread that has lost its core) starts to
-// nap.
+// sleep.
 constexpr std::chrono::microseconds kSpinning(300), kNap(50);
 
-// The chunks of all phases of a schedule. Every chunk is claimed once per repeat, and no thread waits for a
-// chunk that nobody has claimed: so any number of threads can join at any time, and the schedule ends.
+// The chunks of all phases of a schedule. Every chunk is claimed once per repeat, and no thread waits for an
+// unclaimed chunk, so any number of threads can join at any time, and the schedule always ends.
 class Chunks {
  public:
   Chunks(const Schedule& schedule, const Job& job)
@@ -47,8 +48,8 @@ class Chunks {
   }
 
  private:
-  // Where a thread is in the schedule: `firstChunk` is the index of the first chunk of its phase, and `ended`
-  // is the number of chunks that have ended when all phases up to this one have.
+  // The position of a thread in the schedule: `firstChunk` is the index of the first chunk of its phase, and
+  // `ended` is the number of chunks that have ended once all phases up to this one have.
   struct Cursor {
     size_t thread, firstChunk;
     uint64_t ended;
@@ -75,7 +76,7 @@ class Chunks {
   }
 
   // Takes the chunks of this thread first, then those that other threads have not begun, starting with the
-  // ones that their owners would reach last. Returns how many chunks it has done.
+  // ones that their owners would reach last. Returns the number of completed chunks.
   uint64_t workOn(const SolverPhase& phase, int repeat, const Cursor& cursor) {
     const size_t count = chunksOf(phase);
     const size_t first = count * cursor.thread / threads_,
@@ -91,7 +92,7 @@ class Chunks {
     return done;
   }
 
-  // Returns false where another thread has claimed the chunk.
+  // Returns false if another thread has claimed the chunk.
   bool claim(size_t chunk, int repeat) {
     std::atomic<int>& claims = claims_[chunk];
     int expected = repeat;
@@ -99,7 +100,7 @@ class Chunks {
            claims.compare_exchange_strong(expected, repeat + 1, std::memory_order_relaxed);
   }
 
-  // Waits until `ended` chunks have ended. Returns the seconds that it took.
+  // Waits until `ended` chunks have ended. Returns the seconds that it has waited.
   double waitFor(uint64_t ended) const {
     const auto hasEnded = [&] { return ended_.load(std::memory_order_acquire) >= ended || abandoned_; };
     if (hasEnded()) return 0;
@@ -114,7 +115,7 @@ class Chunks {
   const Job& job_;
   const size_t threads_;
   size_t chunkCount_ = 0;
-  std::vector<std::atomic<int>> claims_;  // per chunk: in how many repeats it has been claimed
+  std::vector<std::atomic<int>> claims_;  // per chunk: the number of repeats in which it has been claimed
   alignas(64) std::atomic<uint64_t> ended_ = 0;
   alignas(64) std::atomic<bool> abandoned_ = false;
 };

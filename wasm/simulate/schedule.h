@@ -10,7 +10,7 @@
 
 namespace limber {
 
-// A part of a step: items [0, count) that may be worked on at the same time, in chunks of `grain` items.
+// A part of a step: items [0, count) that may be processed in parallel, in chunks of `grain` items.
 struct SolverPhase {
   size_t count, grain;
   std::function<void(size_t begin, size_t end, int repeat)> body;
@@ -24,31 +24,31 @@ SolverPhase phaseOf(size_t count, Run run) {
           }};
 }
 
-// All phases of a step: some run once, then some run `repeats` times over, then some run once at the end.
+// All phases of a step: some run once, then some run `repeats` times, then some run once at the end.
 struct Schedule {
   std::vector<SolverPhase> before, repeated, after;
   int repeats = 1;
 };
 
-// Runs all phases in order; a phase starts when the one before it has ended. `repeat` is 0 before and after.
-// With `threaded`, each thread of parallelFor takes the same share of a phase in every repeat, so that its
-// items are in its own cache, and then chunks that other threads have not begun. Between phases threads spin
-// instead of sleeping, because a phase lasts only microseconds. Throws Cancelled; some chunks of a phase may
-// then be done and others not. Bodies must not throw.
+// Runs all phases in order; a phase starts when the previous one has ended. `repeat` is 0 before and after.
+// With `threaded`, each thread of parallelFor first takes the same share of a phase in every repeat, so that
+// its items stay in its cache, and then chunks that other threads have not begun. Between phases threads spin
+// instead of sleeping, because a phase lasts only microseconds. Throws Cancelled; a phase may then be only
+// partly done. Phase functions must not throw.
 void runSchedule(const Schedule& schedule, bool threaded, const Job& job);
 
-// Lets threads that have finished their own work take part in the schedules of other threads. It is made for
-// `taskCount` tasks, each of which calls `endTask` once, however it ends.
+// Lets threads that have finished their own work take part in the schedules of other threads. Constructed for
+// `taskCount` tasks, each of which must call `endTask` once, also if it fails.
 class Helpers {
  public:
   explicit Helpers(size_t taskCount) : tasksLeft_(taskCount) {}
 
-  // Runs a schedule on this thread and on all that help meanwhile. Returns roughly how many seconds longer it
-  // would have taken alone: the time that helpers worked on it, less the time that this thread waited for
-  // them. Throws Cancelled.
+  // Runs a schedule on this thread and on all helpers. Returns an estimate of the seconds that this has
+  // saved: the time that helpers worked on it, minus the time that this thread waited for them. Throws
+  // Cancelled.
   double run(const Schedule& schedule, const Job& job);
   void endTask();
-  // Helps whichever run has the fewest helpers, until all tasks have ended.
+  // Helps the run with the fewest helpers, until all tasks have ended.
   void help();
 
  private:
@@ -60,13 +60,13 @@ class Helpers {
   size_t tasksLeft_;
 };
 
-// Chooses between one thread and all threads by how long steps take: where other programs use the cores,
-// threads wait for each other and one thread is faster. The other choice is tried now and then, more often
-// after it has won, and at once when the usual choice becomes slow.
+// Chooses between one thread and all threads by measured step times: if other programs use the cores, threads
+// wait for each other and one thread is faster. The other choice is tried at intervals, more often after it
+// has won, and immediately when the current choice becomes slow.
 class ThreadChoice {
  public:
   bool threaded() const { return usual_ != isTrial_; }
-  // Records how long a step took on the threads that were chosen for it.
+  // Records the time of a step on the threads that were chosen for it.
   void record(double seconds);
 
  private:

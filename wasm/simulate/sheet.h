@@ -9,8 +9,8 @@
 
 namespace limber {
 
-// A thin elastic plate, in SI units. Stretching and bending may come from different materials, as they do
-// where a solver has a constant for each.
+// A thin elastic plate, in SI units. Stretching and bending may have different materials, as in a solver with
+// a constant for each.
 struct Sheet {
   double stretching = 0;      // E h, N/m
   double poisson = 0;         // of the membrane, in (-1, 1)
@@ -25,7 +25,7 @@ Sheet sheetOf(const ElasticMaterial& material);
 // (lambda + 2 mu) and E = 2 mu (1 + nu).
 Sheet sheetOf(const SolverConstants& constants);
 
-// What all constraints of a body are made with.
+// The common parameters of all constraints of a body.
 struct ConstraintOptions {
   Sheet sheet;
   const Blocks& blocks;
@@ -33,7 +33,7 @@ struct ConstraintOptions {
   uint32_t order;  // see `colour`
 };
 
-// Factors on the stiffness of constraints, by constraint; empty where all are 1.
+// Factors on the stiffness of constraints, by constraint; empty if all are 1.
 using StiffnessFactors = std::span<const double>;
 
 inline double factorOf(StiffnessFactors factors, size_t constraint) {

@@ -28,14 +28,14 @@ void requireCount(const std::vector<double>& values, size_t count, const std::st
   require(arePositive(values), what + " must be finite and above 0.");
 }
 
-// The vertex of a triangle that is not on the edge; kNone where it has no such corner.
+// The vertex of a triangle that is not on the edge; kNone if it has no such corner.
 uint32_t cornerOpposite(const Triangle& t, const Topology::Edge& edge) {
   for (const uint32_t v : t)
     if (v != edge.a && v != edge.b) return v;
   return kNone;
 }
 
-// Factors of edges in the order that the edges have after renumbering.
+// Factors of edges, in the order of the edges after renumbering.
 template <class Edges>
 std::vector<double> sortedFactors(const std::vector<double>& factors, const Edges& edges,
                                   const std::vector<uint32_t>& slotOf) {

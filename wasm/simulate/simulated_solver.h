@@ -8,7 +8,7 @@
 
 namespace limber {
 
-// A solver of the panel on one mesh, with what tuning gives it. Constraints are numbered as in
+// A solver of the panel on one mesh, with its tuned parameters. Constraints are numbered as in
 // elastic/solvers/solver_constraints.h: triangles by index, or edges in the order of Topology::edges; bending
 // constraints in the order of `bendingEdges`.
 struct SimulatedSolver {
@@ -19,7 +19,7 @@ struct SimulatedSolver {
   std::vector<double> masses = {};          // per vertex, kg, > 0; empty: by the rule of the model
 };
 
-// An edge from a to b that bends, and the corners opposite to it.
+// An edge from a to b with bending resistance, and the corners opposite to it.
 struct BendingEdge {
   uint32_t a, b, k, l;
   double area;  // of both triangles, in units of the mesh
@@ -27,12 +27,11 @@ struct BendingEdge {
 // The edges with exactly two triangles and two different corners opposite, in the order of Topology::edges.
 std::vector<BendingEdge> bendingEdges(const TriangleMesh& mesh, const Topology& topology);
 
-// Throws std::invalid_argument with a sentence where constants, factors or masses are out of range, or are
-// not as many as the mesh has constraints and vertices.
+// Throws std::invalid_argument with a sentence if constants, factors or masses are out of range, or if their
+// numbers do not match the constraints and vertices of the mesh.
 void requireSolver(const SimulatedSolver& solver, const TriangleMesh& mesh);
 
-// The same solver on a mesh whose vertices are renumbered: vertex v becomes slotOf[v], triangles keep their
-// order.
+// The same solver on a mesh with renumbered vertices: vertex v becomes slotOf[v], triangles keep their order.
 SimulatedSolver renumbered(const SimulatedSolver& solver, const TriangleMesh& mesh,
                            const std::vector<uint32_t>& slotOf);
 

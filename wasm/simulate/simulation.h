@@ -20,7 +20,7 @@ class SolidSimulation;
 
 // One elastic surface in motion, solved by XPBD with small substeps and one pass per substep (Macklin et al.
 // 2016, 2019). Masses are lumped: every vertex has a third of the mass of its triangles, unless a solver of
-// the panel says otherwise. The same input gives the same bits on any number of threads.
+// the panel specifies masses. The same input gives the same bits on any number of threads.
 class Simulation {
  public:
   static constexpr double kStep = kStepSeconds;
@@ -32,10 +32,10 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  // Advances by one step of 1/60 s. Other threads take part where `helpers` are given. Throws Cancelled,
-  // after which the simulation must not be used any more.
+  // Advances by one step of 1/60 s, with other threads if `helpers` is given. Throws Cancelled, after which
+  // the simulation must not be used any more.
   void step(const Job& job, Helpers* helpers = nullptr);
-  // An estimate of how many seconds longer the last step would have taken without helpers.
+  // An estimate of the seconds that helpers saved in the last step.
   double helpedSeconds() const;
 
   uint32_t vertexCount() const;
@@ -54,35 +54,35 @@ class Simulation {
   void setWind(const Vec3& wind);
   // Adds a horizontal floor at this height along y, in units of the mesh.
   void setGround(double height);
-  // Replaces all colliders; units of the mesh. Throws std::invalid_argument where a radius is not above 0.
+  // Replaces all colliders; units of the mesh. Throws std::invalid_argument if a radius is not above 0.
   void setColliders(std::span<const Collider> colliders);
-  // Draws a point of the surface towards `target` (units of the mesh), as a hand would: in every step it
-  // makes a fifth of what is left of the way. A second call moves the target or takes another point;
-  // `release` ends it.
+  // Drags a point of the surface towards `target` (units of the mesh), as a hand would: in every step it
+  // covers a fifth of the remaining way. A second call moves the target or takes another point; `release`
+  // ends it.
   void drag(const SurfacePoint& point, const Vec3& target);
   void release();
-  // Where the pins are to be at the end of the next step, in units of the mesh: pinned vertices first, then
-  // pinned points. Throws std::invalid_argument where their number is not that of the pins.
+  // Sets the positions of the pins at the end of the next step, in units of the mesh: pinned vertices first,
+  // then pinned points. Throws std::invalid_argument if their number differs from that of the pins.
   void setPinTargets(std::span<const Vec3> targets);
 
   // Joules, without the potential of gravity.
   double kineticEnergy() const;
   double elasticEnergy() const;
-  // False as soon as any position, velocity or edge rotation is infinite or not a number.
+  // False if any position, velocity or edge rotation is infinite or not a number.
   bool isFinite() const;
-  // Whether the body is of no use any more: it is not finite, the diagonal of a component's bounding box is
-  // more than 10 times that of the body at rest, or it is farther away than float32 can say. Moving away is
-  // no divergence, and neither are components that fall away from each other.
+  // Whether the body has become useless: it is not finite, the diagonal of a component's bounding box is more
+  // than 10 times that of the body at rest, or it is farther away than float32 can represent. Moving away
+  // does not count as divergence, and neither do components that fall away from each other.
   bool hasDiverged() const;
-  // Kilograms of the whole body.
+  // The mass of the whole body in kg.
   double mass() const;
-  // How many constraints a substep solves; the bending of a triangle counts as one.
+  // The number of constraints that a substep solves; the bending of a triangle counts as one.
   uint32_t constraintCount() const;
   uint32_t edgeCount() const;
 
  private:
   std::unique_ptr<SimulationState> state_;
-  std::unique_ptr<SolidSimulation<Simulation>> solid_;  // instead of state_ where the model is Solid
+  std::unique_ptr<SolidSimulation<Simulation>> solid_;  // instead of state_ if the model is Solid
 };
 
 }  // namespace limber

@@ -16,25 +16,25 @@ namespace limber {
 inline constexpr double kStepSeconds = 1.0 / 60;
 inline constexpr int kMostSubsteps = 10000;  // of a step
 
-// Shell: membrane and bending of a thin plate, the same material on every mesh. Springs: the edges, as in the
-// paper (see paperSprings), which are another material on every mesh. Solid: a lattice through the inside of
+// Shell: membrane and bending of a thin plate, the same material on every mesh. Springs: on the edges, as in
+// the paper (see paperSprings), a different material on every mesh. Solid: a lattice through the inside of
 // closed components, in which the surface is embedded; open components are shells.
 enum class SimulationModel : int32_t { Springs = 0, Shell = 1, Solid = 2 };
 
 // Positions and lengths of the mesh, of pins and of colliders are in units of the mesh; everything else is in
-// SI units. Defaults and ranges that users see are in web/engine/settings/table.ts.
+// SI units. Defaults and ranges that users see are only defined in web/engine/settings/options.ts.
 struct SimulationOptions {
   ElasticMaterial material;
   SimulationModel model = SimulationModel::Shell;
-  // A solver of the panel instead of `model`. Its constants take the place of the material, whose unit must
-  // be theirs. Only Morley's shell keeps volumes.
+  // A solver of the panel instead of `model`. Its constants replace the material, which must have the same
+  // unit. Only Morley's shell keeps volumes.
   std::optional<SimulatedSolver> solver = {};
   int substeps = 0;         // per step, 1 to 10,000; callers must set it
   double damping = 0;       // 1/s, >= 0: the rate at which velocities decay
   double friction = 0;      // Coulomb's coefficient, >= 0, against the ground, colliders and the body itself
-  bool keepsVolume = true;  // closed components of a shell behave as if the material filled them
-  bool selfCollision = false;  // parts of the body push each other away, see SelfContacts
-  // Solid: the size of the lattice's cells, in units of the mesh. Original and result need the same, see
+  bool keepsVolume = true;  // closed components of a shell behave as if filled with the material
+  bool selfCollision = false;  // parts of the body repel each other, see SelfContacts
+  // Solid: the size of the lattice's cells, in units of the mesh. Original and result need the same size, see
   // solidCellSize; 0 derives it from the mesh itself.
   Vec3 cellSize = {};
   uint32_t order = 0;  // 0 solves constraints in the order of the mesh, n > 0 in the n-th shuffled order

@@ -51,7 +51,7 @@ std::optional<SimulatedSolver> solverInSlots(const SimulationOptions& options, c
   return renumbered(*options.solver, source, slotOf);
 }
 
-// Visits what `state` has, stretching before bending.
+// Visits the constraints of `state`, stretching before bending.
 template <class State, class Visit>
 void forEachKind(State& state, Visit visit) {
   if (state.edges) visit(*state.edges);
@@ -198,7 +198,7 @@ void SimulationState::projectContacts(size_t group) {
 }
 
 // In every substep the constraints of all blocks are solved, then those of all borders, then volumes. Pins
-// and contacts come last, so that they are met exactly at the end of the substep.
+// and contacts come last, so that they are satisfied exactly at the end of the substep.
 void SimulationState::makeSchedule() {
   const size_t borderCount = blocks.borderCount;
   schedule_.repeats = options.substeps;
@@ -220,7 +220,7 @@ void SimulationState::makeSchedule() {
   pointPhase_ = repeated.size();
   repeated.push_back(phaseOf(1, [this](size_t, int repeat) {
     dragged.project(particles, repeat);
-    pinnedPoints.project(particles, repeat);  // after the hand, which is not to move them
+    pinnedPoints.project(particles, repeat);  // after the dragged point, which must not move them
     if (selfContacts) selfContacts->project(particles);
   }));
   contactPhase_ = repeated.size();

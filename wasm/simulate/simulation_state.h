@@ -20,8 +20,8 @@
 
 namespace limber {
 
-// Everything that a simulation holds, in SI units. It must not be moved: the phases of its schedule point
-// into it.
+// The whole state of a simulation, in SI units. It must not be moved: the phases of its schedule point into
+// it.
 struct SimulationState {
   SimulationState(const TriangleMesh& source, const SimulationOptions& options, const Pins& pins);
   SimulationState(const SimulationState&) = delete;
@@ -34,7 +34,8 @@ struct SimulationState {
   double elasticEnergy() const;
 
   SimulationOptions options;
-  // Inside, vertices are renumbered so that blocks are ranges: vertex v of the caller has the slot slotOf[v].
+  // Internally, vertices are renumbered so that blocks are ranges: vertex v of the caller has the slot
+  // slotOf[v].
   uint32_t blockCount;
   std::vector<uint32_t> slotOf;
   TriangleMesh mesh;    // at rest, in metres, by slots
@@ -59,7 +60,7 @@ struct SimulationState {
   Pins pins;                      // by slots
   PointConstraints pinnedPoints;
   std::vector<Vec3> pinTargets;  // metres, at the end of the step
-  std::vector<Vec3> pinStarts;   // metres, of pinned points at its start
+  std::vector<Vec3> pinStarts;   // metres, of pinned points at the start of the step
   PointConstraints dragged;      // no point or one
   Vec3 dragTarget;
   Vec3 gravity, wind;

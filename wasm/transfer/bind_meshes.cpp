@@ -13,8 +13,8 @@ namespace {
 constexpr size_t kVerticesPerRange = 16384;
 constexpr size_t kVerticesPerCheck = 1024;
 
-// A face looks the same way as a vertex where the cosine between their normals is at least this. It is below
-// 0 because the rim of a sheet has faces a little beyond 90 degrees.
+// A face faces the same way as a vertex if the cosine between their normals is at least this. It is below 0
+// because the rim of a sheet has faces a little beyond 90 degrees.
 constexpr double kLeastCosine = -0.25;
 
 void check(const TriangleMesh& original, const MeshAt& result) {
@@ -31,7 +31,7 @@ std::vector<Vec3> faceNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-// What the searches for all vertices share.
+// The data that the searches for all vertices share.
 struct Surfaces {
   const TriangleMesh& original;
   const MeshAt& result;
@@ -44,7 +44,8 @@ struct Surfaces {
   }
 };
 
-// Collects the triangles of the result around what `vertex` and its neighbours have become; some repeat.
+// Collects the triangles of the result around the vertices that `vertex` and its neighbours were merged into;
+// some repeat.
 void collectStart(const Surfaces& surfaces, uint32_t vertex, std::vector<uint32_t>& start) {
   start.clear();
   const auto& [original, result, originalTopology, resultTopology, originalNormals, resultNormals] = surfaces;

@@ -18,8 +18,7 @@ namespace {
 constexpr double kAtVertex = 1 - 1e-6;
 // A vertex lies in the pinned region where the interpolated mask of the region has at least this value.
 constexpr double kInside = 0.9;
-// Whether a triangle lies in the region is judged at the centres of the kCuts^2 triangles that it is cut
-// into.
+// Whether a triangle lies in the region is tested at the centres of its kCuts^2 equal parts.
 constexpr int kCuts = 4;
 
 void check(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& result) {
@@ -55,8 +54,8 @@ PinnedRegion pinnedRegion(const TriangleMesh& mesh, std::span<const uint32_t> pi
   return region;
 }
 
-// Finds points of the original that belong to points of the result: on the sheet that the binding tells, or
-// the closest ones of all.
+// Finds the points of the original that correspond to points of the result: on the sheet given by the
+// binding, or the closest points overall.
 class OriginalPoints {
  public:
   OriginalPoints(const TriangleMesh& original, const TriangleMesh& result,
@@ -83,7 +82,7 @@ class OriginalPoints {
   std::unique_ptr<SurfaceWalk> walk_;
 };
 
-// The bodies that pins are carried from and to.
+// The bodies between which pins are carried over.
 struct Bodies {
   const TriangleMesh& original;
   const TriangleMesh& result;
@@ -102,7 +101,7 @@ class RegionPins {
         isPinned_(bodies.result.vertexCount(), 0),
         isComponentPinned_(bodies.original.vertexCount(), 0) {}
 
-  // `isTouched`: per triangle of the result, whether a point of the region belongs to it.
+  // `isTouched`: per triangle of the result, whether a point of the region is bound to it.
   void find(const std::vector<uint8_t>& isTouched) {
     for (uint32_t t = 0; t < result_.triangleCount(); ++t)
       for (const uint32_t v : result_.triangles[t])
@@ -117,8 +116,8 @@ class RegionPins {
 
   // Per vertex of the result.
   const std::vector<uint8_t>& isPinned() const { return isPinned_; }
-  // Whether a triangle of the result is pinned for the component of the region that vertex v of the original
-  // belongs to.
+  // Whether a triangle of the result is pinned because of the component of the region that contains vertex v
+  // of the original.
   bool coversComponentOf(uint32_t v) const {
     return region_.hasVertex[v] && isComponentPinned_[region_.componentOfVertex[v]];
   }
@@ -154,12 +153,12 @@ class RegionPins {
   const PinnedRegion& region_;
   const TriangleMesh& result_;
   OriginalPoints originalPoints_;
-  std::vector<double> mask_;  // per vertex of the result; negative where it is not known yet
+  std::vector<double> mask_;  // per vertex of the result; negative while unknown
   std::vector<uint8_t> isPinned_;
   std::vector<uint8_t> isComponentPinned_;  // per component of the region
 };
 
-// For each pinned vertex its point on the result; kNone as the triangle of those that have none.
+// For each pinned vertex its point on the result, with kNone as the triangle if it has none.
 std::vector<SurfacePoint> resultPoints(const Bodies& bodies, std::span<const uint32_t> pinned) {
   std::vector<SurfacePoint> points;
   if (!bodies.binding.empty()) {

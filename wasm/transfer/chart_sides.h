@@ -11,20 +11,20 @@
 namespace limber {
 
 // The corners of the original around every vertex of a result, divided along seams. The cluster of a vertex
-// of the result consists of the vertices of the original that have become it; its corners are those of the
-// triangles of the original around them. They fall into sides: sets of corners that are connected without
-// crossing a seam.
+// of the result consists of the vertices of the original that were merged into it; its corners are those of
+// the triangles of the original around them. They are divided into sides: sets of corners that are connected
+// without crossing a seam.
 class ChartSides {
  public:
-  // `topology`: of the original. Empty lists of `charts` leave the borders of the original as the only seams.
-  // `result.vertexOfInput` refers to the original.
+  // `topology`: of the original. If the lists of `charts` are empty, the borders of the original are the only
+  // seams. `result.vertexOfInput` refers to the original.
   ChartSides(const TriangleMesh& original, const Topology& topology, const Charts& charts,
              const MeshAt& result);
 
   bool isSeam(uint32_t edge) const { return isSeam_[edge] != 0; }
-  // How many seams meet at a vertex of the original: 0 within a chart, 2 along a seam.
+  // The number of seams that meet at a vertex of the original: 0 within a chart, 2 along a seam.
   uint32_t seamCount(uint32_t vertex) const { return seamCount_[vertex]; }
-  // The side of a corner of the original, named by the flat index of its lowest corner.
+  // The side of a corner of the original, identified by the flat index of its lowest corner.
   uint32_t sideOf(Corner corner) const { return side_[corner.flatIndex()]; }
   // The corners of the original around vertex v of the result, ascending.
   std::span<const Corner> cornersAround(uint32_t v) const {

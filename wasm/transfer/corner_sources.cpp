@@ -47,7 +47,7 @@ void check(const TriangleMesh& original, const Charts& charts, const MeshAt& res
 }
 
 // A point of a seam of the original, at `fraction` of the way from vertex a of an edge to vertex b. `end` is
-// the end of the edge that belongs to the cluster.
+// the end of the edge in the cluster.
 struct SeamPoint {
   uint32_t edge = kNone, end = kNone;
   double fraction = 0;
@@ -60,7 +60,7 @@ SurfacePoint pointAt(Corner corner) {
   return point;
 }
 
-// What the searches for all vertices of the result share.
+// The data that the searches for all vertices of the result share.
 struct SourceContext {
   const TriangleMesh& original;
   const MeshAt& result;
@@ -69,7 +69,8 @@ struct SourceContext {
   std::vector<uint32_t> resultOfTriangle;  // per triangle of the original: its index in the result, or kNone
 };
 
-// Finds the sources of the corners around one vertex of the result after the other. Each thread has one.
+// Finds the sources of the corners around the vertices of the result, one vertex after the other. Each thread
+// has its own instance.
 class SourceFinder {
  public:
   SourceFinder(const SourceContext& context, CornerSources& sources)
@@ -98,7 +99,7 @@ class SourceFinder {
   Vec3 position_;                    // of the vertex of the result
   std::span<const Corner> corners_;  // of the original around that vertex
   std::vector<uint32_t> used_;       // sides that the result has triangles on, ascending
-  std::vector<uint32_t> start_;      // triangles where findInside begins
+  std::vector<uint32_t> start_;      // triangles where findInside starts
 };
 
 void SourceFinder::find(uint32_t vertex) {
@@ -134,7 +135,7 @@ bool SourceFinder::isUntouched() const {
          std::ranges::all_of(corners_, [&](Corner corner) { return originalVertex(corner) == first; });
 }
 
-// Whether each of the wanted sides has a corner at the vertex.
+// Whether all of the wanted sides have a corner at the vertex.
 bool SourceFinder::hasAllSides(uint32_t originalVertex, std::span<const uint32_t> wanted) const {
   const auto around = context_.topology.trianglesAround(originalVertex);
   return std::ranges::all_of(wanted, [&](uint32_t side) {
@@ -162,8 +163,8 @@ uint32_t SourceFinder::closestJunction() const {
   return best;
 }
 
-// The closest point of the seams at the cluster that have all wanted sides beside them. Its edge is kNone
-// without one.
+// The closest point of those seams at the cluster that all wanted sides adjoin. Its edge is kNone without
+// one.
 SeamPoint SourceFinder::closestOnSeam(std::span<const uint32_t> wanted) const {
   SeamPoint best;
   for (const Corner corner : corners_)
@@ -191,7 +192,7 @@ void SourceFinder::considerEdge(uint32_t edge, uint32_t end, std::span<const uin
   best = {edge, end, fraction, distance};
 }
 
-// For a side that shares no point of a seam with the others.
+// For a side that shares no seam point with the others.
 void SourceFinder::findForSide(uint32_t side) {
   const SeamPoint point = closestOnSeam(std::span(&side, 1));
   point.edge != kNone ? storeOnSeam(point, side) : findInside(side);
@@ -261,8 +262,8 @@ void checkFlips(const MeshAt& result) {
         "The flipped edges belong to another result: ask for the sources of a result as it was fitted.");
 }
 
-// A corner has the source that it had before edges were flipped, because flips change neither its vertex nor
-// its chart.
+// A corner keeps the source that it had before edges were flipped, because flips change neither its vertex
+// nor its chart.
 CornerSources sourceBeforeFlips(const TriangleMesh& original, const Charts& charts, const MeshAt& result,
                                 Job& job) {
   checkFlips(result);

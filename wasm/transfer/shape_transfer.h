@@ -7,13 +7,13 @@
 
 namespace limber {
 
-// For each vertex of the original, the closest point of the result, on the sheet of the surface that looks
-// the same way. `last`: what the same meshes gave when the vertices of the result had other positions, to
-// start the search from; or empty. O(n log n).
+// For each vertex of the original, the closest point of the result, on the sheet of the surface that faces
+// the same way. `last`: the return value for the same meshes with other positions of the result's vertices,
+// as the start of the search; or empty. O(n log n).
 std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const TriangleMesh& result,
                                         const std::vector<ClosestPoint>& last = {});
 
-// Interpolates shapes of the result (a column each, rows 3 v + axis) at its points that belong to the
+// Interpolates shapes of the result (a column each, rows 3 v + axis) at its points that correspond to the
 // vertices of the original. Returns a column for each shape, with rows 3 v + axis of the original.
 Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& result,
                          const std::vector<ClosestPoint>& points);

@@ -12,20 +12,19 @@ namespace limber {
 
 namespace {
 
-// The inertia of an edge rotation, as a share of the mass of its two triangles times their height squared.
+// The inertia of an edge rotation, as a fraction of the mass of its two triangles times their height squared.
 // Between 0.01 and 0.25 the frequencies of plates of 8 x 8 cells change by at most 0.6 %; with less,
-// rotations vibrate faster than vertices do, which costs substeps.
+// rotations vibrate faster than vertices, which requires more substeps.
 constexpr double kRotationInertia = 0.05;
 
-// The rotations for empty lanes lie two cache lines apart, see Particles.
+// The rotations for empty lanes are two cache lines apart, see Particles.
 constexpr size_t kIdleRotationStride = 16;
 
 bool isRigid(const Particles& particles, uint32_t a, uint32_t b, uint32_t c) {
   return particles.inverseMass[a] == 0 && particles.inverseMass[b] == 0 && particles.inverseMass[c] == 0;
 }
 
-// Whether a triangle resists bending at all, as far as floats can tell: without stiffness the compliance is
-// infinite.
+// Whether a triangle resists bending at float precision: without stiffness the compliance is infinite.
 bool isFiniteInFloat(const std::array<double, 6>& compliance, double substep) {
   return std::ranges::all_of(compliance, [&](double entry) {
     return std::isfinite(static_cast<float>(entry / (substep * substep)));
@@ -54,8 +53,8 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
       exactPsi_(topology.edges.size(), 0.0) {
   rotationWeight_ = rotationWeights(mesh, topology, options.sheet.surfaceDensity);
   const auto flaps = flapsOf(mesh, topology);
-  // A stencil has six vertices. Rotations need no entries of their own: triangles that share a rotation share
-  // an edge.
+  // A stencil has six vertices. Rotations need no entries of their own, because triangles that share a
+  // rotation share an edge.
   std::vector<uint32_t> stencils;
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle& corner = mesh.triangles[t];
@@ -101,7 +100,7 @@ void BendingConstraints::setHinge(Rest& rest, uint32_t e, const TriangleMesh& me
   rest.sine[e] = fold.sine / size;
 }
 
-// Of an empty lane: a triangle whose three edges are borders.
+// For an empty lane: a triangle whose three edges are borders.
 const BendingConstraints::Rest& BendingConstraints::restOf(const Lane& lane) const {
   static const Rest border = {.corner = {},
                               .flap = {kNone, kNone, kNone},
@@ -173,7 +172,7 @@ void BendingConstraints::rebase(const Particles& particles, size_t begin, size_t
     setLane(batch.base1, k, at(corner[1]));
     setLane(batch.base2, k, at(corner[2]));
     for (int e = 0; e < 3; ++e) {
-      // Across a border any point outside the triangle will do: it has no effect.
+      // Across a border any point outside the triangle can be used: it has no effect.
       const Vec3 from = at(corner[(e + 1) % 3]), to = at(corner[(e + 2) % 3]);
       const uint32_t flap = rest_[t].flap[e];
       setLane(batch.baseFlap[e], k, flap == kNone ? from + to - at(corner[e]) : at(flap));

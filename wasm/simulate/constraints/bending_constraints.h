@@ -12,34 +12,34 @@
 
 namespace limber {
 
-// Bending by the Morley element of the modal analysis (Morley 1968), made fit for large motion. Its curvature
+// Bending by the Morley element of the modal analysis (Morley 1968), extended to large motion. Its curvature
 // is constant in a triangle, kappa = sum_e (l_e / A) s_e m_e m_e^T, with the energy A D / 2 ((1 - nu) kappa :
-// kappa + nu tr^2 kappa). Here s_e is how far the surface rotates from the plane of the triangle to the
+// kappa + nu tr^2 kappa). Here s_e is the rotation of the surface from the plane of the triangle to the
 // middle of edge e.
 //
-// With half the fold alone as s_e, as in hinge elements (Grinspun et al. 2003), frequencies of a
-// plate depend on the mesh and are up to 44 % off. So every edge between two triangles has a rotation psi of
-// its own, and s_e = tan((theta_e - rest) / 2) +- psi_e, with + in one triangle and - in the other. psi is
-// measured against the mean of both planes, so rigid motions do not change it. Its inertia is
-// kRotationInertia (0.05) times the mass of both triangles times their height squared: small enough that only
-// waves of the size of the mesh feel it.
+// If s_e were just half the fold, as in hinge elements (Grinspun et al. 2003), frequencies of a plate would
+// depend on the mesh and be up to 44 % off. Every edge between two triangles therefore has its own rotation
+// psi, and s_e = tan((theta_e - rest) / 2) +- psi_e, with + in one triangle and - in the other. psi is
+// measured relative to the mean of both planes, so rigid motions do not change it. Its inertia is
+// kRotationInertia (0.05) times the mass of both triangles times their height squared: small enough to affect
+// only waves of the size of the mesh elements.
 //
 // On a border s_e is free (no moment acts there), which removes it from the compliance. A triangle whose
-// three corners are pinned is rigid: its edges stay in its plane, so the triangle beside it takes the whole
+// three corners are pinned is rigid: its edges stay in its plane, so the adjacent triangle takes the whole
 // fold.
 class BendingConstraints {
  public:
   // Rest shapes are those of `mesh`, in metres. `particles.motion` must not be reallocated afterwards.
   BendingConstraints(const TriangleMesh& mesh, const Topology& topology, Particles& particles,
                      const ConstraintOptions& options);
-  BendingConstraints(const BendingConstraints&) = delete;  // batches point to the rotations
+  BendingConstraints(const BendingConstraints&) = delete;  // batches contain pointers to the rotations
 
   uint32_t count() const { return static_cast<uint32_t>(rest_.size()); }
   size_t edgeCount() const { return exactPsi_.size(); }
   const Colouring& colouring() const { return colouring_; }
-  // Takes over the positions at the start of a step, for batches [begin, end).
+  // Copies the positions at the start of a step, for batches [begin, end).
   void rebase(const Particles& particles, size_t begin, size_t end);
-  // Moves the rotations of edges [begin, end) by their rates, as `advance` moves vertices.
+  // Advances the rotations of edges [begin, end) by their rates, as `advance` moves vertices.
   void advanceRotations(size_t begin, size_t end, const Advance& what, float damping);
   // One XPBD pass over batches [begin, end); s_0, s_1 and s_2 of a triangle are solved together.
   void project(size_t begin, size_t end) const;
@@ -62,10 +62,10 @@ class BendingConstraints {
   struct Batch {
     Vec3x4 base1, base2, baseFlap[3];   // from corner 0, at the start of the step
     Float4 restCosine[3], restSine[3];  // of the fold at rest
-    Float4 share[3];                    // of the fold, in halves: 1; 0 on a border; 2 beside a rigid triangle
-    Symmetric3x4 compliance;            // of (s_0, s_1, s_2), divided by substep^2
+    Float4 share[3];          // of the fold, in halves: 1; 0 on a border; 2 next to a rigid triangle
+    Symmetric3x4 compliance;  // of (s_0, s_1, s_2), divided by substep^2
     Float4 weight[3], flapWeight[3], rotationWeight[3];  // 1/kg, 1/kg, 1/(kg m2)
-    Float4 sharedFlap[3];  // [e]: w of flap e where flap (e + 1) % 3 is the same vertex; otherwise 0
+    Float4 sharedFlap[3];  // [e]: w of flap e if flap (e + 1) % 3 is the same vertex; otherwise 0
     Float4 side[3];        // the sign of psi in this triangle, +1 or -1
     MotionLanes corner[3], flap[3];
     EdgeRotation* edge[3][4];

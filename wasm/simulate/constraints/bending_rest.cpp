@@ -45,7 +45,7 @@ std::array<double, 6> bendingCompliance(const TriangleMesh& mesh, uint32_t t, co
     inverse[e][2] = scale * 0.5 * (f[0] * g[1] + f[1] * g[0]);
   }
   const double nu = sheet.bendingPoisson, softness = 1 / (rest.area() * sheet.bending * (1 - nu * nu));
-  // In float the compliance of a needle is singular and its stiffness unbounded, so this share is added to
+  // In float the compliance of a needle is singular and its stiffness unbounded, so this fraction is added to
   // the diagonal.
   constexpr double kLoading = 1e-4;
   std::array<double, 6> compliance;

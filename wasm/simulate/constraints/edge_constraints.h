@@ -16,9 +16,10 @@ struct Spring {
   double rest, stiffness;  // m, N/m
 };
 
-// The springs of the paper: one on every edge, with the stiffness E h (area of its triangles) / rest^2, with
-// which the springs of a triangle mesh carry the energy of a sheet (Van Gelder 1998). That is exact for
-// equilateral meshes; on others, springs are another material whatever their rule. `mesh` is in metres.
+// The springs of the paper: one on every edge, with the stiffness E h (area of its triangles) / rest^2, for
+// which the springs of a triangle mesh have the energy of a sheet (Van Gelder 1998). That is exact for
+// equilateral meshes; on other meshes, springs of any stiffness behave as a different material. `mesh` is in
+// metres.
 std::vector<Spring> paperSprings(const TriangleMesh& mesh, const Topology& topology, const Sheet& sheet);
 
 // Distance constraints, C = |x_a - x_b| - rest: along edges, as in the paper (section 4), or across them.
@@ -31,7 +32,7 @@ class EdgeConstraints {
   uint32_t count() const { return static_cast<uint32_t>(springs_.size()); }
   const Colouring& colouring() const { return colouring_; }
 
-  // Takes over the positions at the start of a step, for batches [begin, end).
+  // Copies the positions at the start of a step, for batches [begin, end).
   void rebase(const Particles& particles, size_t begin, size_t end);
   // One XPBD pass (Macklin et al. 2016, Eqs. 17 and 18) with lambda = 0 at the start of each substep (Macklin
   // et al. 2019).

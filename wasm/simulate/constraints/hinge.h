@@ -4,10 +4,10 @@
 
 namespace limber {
 
-// The bend of a hinge, a measure of its fold from rest times the share of the fold, and its gradient, which
-// lies along the normals of the two triangles. By the position of the flap it is `flap` flapNormal, of the
-// apex `apex` normal, of the start of the edge flapStart flapNormal + start normal, and of its end flapEnd
-// flapNormal + end normal.
+// The bend of a hinge (a measure of its fold relative to rest, times the share of the fold) and its gradient,
+// which lies along the normals of the two triangles. The gradient with respect to the flap is `flap`
+// flapNormal, to the apex `apex` normal, to the start of the edge flapStart flapNormal + start normal, and to
+// its end flapEnd flapNormal + end normal.
 struct Hinge {
   Vec3x4 flapNormal;
   Float4 bend, cosine;
@@ -24,7 +24,7 @@ struct RestFold {
   Float4 cosine, sine, share;
 };
 
-// A measure of a fold delta, and its derivative by delta.
+// A measure of a fold delta, and its derivative with respect to delta.
 struct FoldMeasure {
   Float4 value, growth;
 };

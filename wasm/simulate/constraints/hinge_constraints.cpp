@@ -44,7 +44,7 @@ void HingeConstraints::setHinge(Batch& batch, const Lane& lane, Particles& parti
   const bool isEmpty = lane.constraint == kNone;
   const RestHinge hinge = isEmpty ? RestHinge{idle, idle, idle, idle, 0} : hinges_[lane.constraint];
   const RestAngle rest = isEmpty ? RestAngle{} : rest_[lane.constraint];
-  // Any two triangles with area will do for an empty lane.
+  // Any two triangles with area can be used for an empty lane.
   setLane(batch.baseStart, k, {1, 0, 0});
   setLane(batch.baseEnd, k, {0, 1, 0});
   setLane(batch.baseFlap, k, {1, 1, 0});

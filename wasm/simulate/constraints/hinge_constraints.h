@@ -10,16 +10,17 @@
 
 namespace limber {
 
-// The hinge of an edge from `start` to `end` between the triangle (apex, start, end) and the one across,
-// whose third vertex is `flap`; kNone: it has none, and does nothing.
+// The hinge of an edge from `start` to `end` between the triangle (apex, start, end) and the adjacent one,
+// whose third vertex is `flap`; kNone if there is no adjacent triangle, in which case the hinge has no
+// effect.
 struct RestHinge {
   uint32_t apex, start, end, flap;
   double stiffness;  // N m, >= 0
 };
 
-// Bending by hinges: 1/2 k (theta - theta0)^2 on the dihedral angle theta of each inner edge, from its angle
-// at rest, within (-pi, pi) (Grinspun et al. 2003; Bergou et al. 2006 compare the choices of k). This is how
-// most engines bend; what k is there is said in elastic/solvers/solver_model.h.
+// Bending by hinges: 1/2 k (theta - theta0)^2 on the dihedral angle theta of each interior edge, relative to
+// its angle at rest, within (-pi, pi) (Grinspun et al. 2003; Bergou et al. 2006 compare the choices of k).
+// Most engines bend this way; elastic/solvers/solver_model.h has their choices of k.
 class HingeConstraints {
  public:
   // Rest angles are those of `mesh`, in metres. `particles.motion` must not be reallocated afterwards.
@@ -28,7 +29,7 @@ class HingeConstraints {
 
   uint32_t count() const { return static_cast<uint32_t>(hinges_.size()); }
   const Colouring& colouring() const { return colouring_; }
-  // Takes over the positions at the start of a step, for batches [begin, end).
+  // Copies the positions at the start of a step, for batches [begin, end).
   void rebase(const Particles& particles, size_t begin, size_t end);
   // One XPBD pass over batches [begin, end).
   void project(size_t begin, size_t end) const;

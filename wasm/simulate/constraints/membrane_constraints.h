@@ -23,7 +23,7 @@ class MembraneConstraints {
 
   uint32_t count() const { return count_; }
   const Colouring& colouring() const { return colouring_; }
-  // Takes over the positions at the start of a step, for batches [begin, end).
+  // Copies the positions at the start of a step, for batches [begin, end).
   void rebase(const Particles& particles, size_t begin, size_t end);
   // One XPBD pass over batches [begin, end).
   void project(size_t begin, size_t end) const;

@@ -10,7 +10,7 @@
 
 namespace limber {
 
-// Points of the surface that are pinned to a target, which moves evenly through the step. Hard constraints:
+// Points of the surface that are pinned to a target, which moves uniformly during the step. Hard constraints:
 // they have no compliance.
 class PointConstraints {
  public:
@@ -21,14 +21,15 @@ class PointConstraints {
   struct Path {
     Vec3 from, to;
   };
-  // That of a point that is dragged: a fifth of what is left of the way to its target, as a hand would.
+  // The target of a dragged point within a step: a fifth of the remaining way to its actual target, as a hand
+  // would pull it.
   static Path dragged(const Vec3& from, const Vec3& target) { return {from, from + (target - from) * 0.2}; }
   // Sets how the target of point i moves within the step, in metres.
   void rebase(size_t i, const Particles& particles, const Path& path, int substeps);
   // One pass over all points in order. `substep` counts from 0 within the step.
   void project(Particles& particles, int substep) const;
 
-  // Where point i is between steps, in metres.
+  // The position of point i between steps, in metres.
   Vec3 position(size_t i, const Particles& particles) const;
 
  private:

@@ -6,7 +6,7 @@ namespace limber {
 
 namespace {
 
-// A spring that is as long at rest as its ends lie apart.
+// A spring whose rest length is the distance of its ends.
 Spring springBetween(const TriangleMesh& mesh, uint32_t a, uint32_t b, double stiffness) {
   return {a, b, length(mesh.positions[a] - mesh.positions[b]), stiffness};
 }
@@ -41,7 +41,7 @@ std::vector<RestHinge> hingesOf(const SimulatedSolver& solver, const TriangleMes
     double stiffness = solver.constants.bend * factorOf(solver.bendFactors, hinges.size());
     if (solver.model.bend == BendElement::HingeByLength) stiffness *= edgeLength;
     if (solver.model.bend == BendElement::HingeByArea) stiffness *= 3 * edgeLength * edgeLength / edge.area;
-    // Two triangles without area have no angle.
+    // Triangles without area have no dihedral angle.
     hinges.push_back({edge.k, edge.a, edge.b, edge.l, std::isfinite(stiffness) ? stiffness : 0});
   }
   return hinges;

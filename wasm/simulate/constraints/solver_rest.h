@@ -9,7 +9,7 @@
 
 namespace limber {
 
-// Springs on all edges, or between the corners opposite each edge that bends. `mesh` is in metres.
+// Springs on all edges, or between the corners opposite each bending edge. `mesh` is in metres.
 std::vector<Spring> edgeSprings(const SimulatedSolver& solver, const TriangleMesh& mesh,
                                 const Topology& topology);
 std::vector<Spring> crossSprings(const SimulatedSolver& solver, const TriangleMesh& mesh,

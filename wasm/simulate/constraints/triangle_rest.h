@@ -10,8 +10,8 @@ struct TriangleRest {
   double area() const { return 0.5 * x1 * y2; }
 };
 
-// The least ratio of height to longest edge that a triangle at rest is given. Flatter triangles are opened up
-// to it, so that a needle is stiff but not infinitely stiff.
+// The smallest ratio of height to longest edge of a triangle at rest. The height of flatter triangles is
+// raised to it, so that a needle is stiff but not infinitely stiff.
 inline constexpr double kFlattestRest = 1e-3;
 
 TriangleRest triangleRest(const TriangleMesh& mesh, uint32_t t);

@@ -28,10 +28,10 @@ class VolumeConstraints {
                     double bulkModulus);
 
   uint32_t count() const { return static_cast<uint32_t>(components_.size()); }
-  // Takes over the positions at the start of a step.
+  // Copies the positions at the start of a step.
   void rebase(const Particles& particles, size_t block);
-  // Sums the volume under the triangles of a group and adds to the gradient of their vertices, which a block
-  // first sets to 0 for its own vertices.
+  // Sums the volume under the triangles of a group and adds to the gradients of their vertices; a block first
+  // sets those of its own vertices to 0.
   void measure(const Particles& particles, size_t group);
   // Sums w |gradient|^2 over the vertices of a block.
   void weigh(const Particles& particles, size_t block);
@@ -41,7 +41,7 @@ class VolumeConstraints {
   double energy(const std::vector<Vec3>& positions) const;
 
  private:
-  // The share that a group has in a component.
+  // The part of a component in a group.
   struct Portion {
     uint32_t component;
     std::vector<uint32_t> vertices;  // empty for a border

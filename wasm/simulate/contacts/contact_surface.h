@@ -38,16 +38,16 @@ inline double distanceToAxis(const Vec3& point, const Collider& collider) {
   return length(offset - axis * along);
 }
 
-// The part of a motion q along a surface that friction takes away: its sliding, but at most `most` metres
-// (Coulomb friction as in Mueller et al. 2007).
+// The tangential part of a motion q that friction removes, at most `most` metres (Coulomb friction as in
+// Mueller et al. 2007).
 inline Float4 frictionOf(Float4 q, Float4 normal, float most) {
   const Float4 sliding = q - splat(dot3(q, normal)) * normal;
   const float slid = std::sqrt(dot3(sliding, sliding));
   return slid > 0 ? splat(std::min(1.0f, most / slid)) * sliding : Float4{};
 }
 
-// What a contact does to a point that is inside a surface: it adds `out` to the motion of its substep, which
-// moves it onto the surface, and then takes `friction` away. Metres.
+// The effect of a contact on a point that is inside a surface: it adds `out` to the motion of the substep,
+// which moves the point onto the surface, and then subtracts `friction`. Metres.
 struct ContactPush {
   Float4 out, friction;
 };

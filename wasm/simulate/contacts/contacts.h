@@ -11,8 +11,8 @@
 namespace limber {
 
 // Contacts of vertices with the ground and colliders. A vertex that is inside is moved onto the surface,
-// which takes away its velocity into it (contacts do not bounce), and loses up to `friction` times the depth
-// of its sliding in the substep (Coulomb friction as in Mueller et al. 2007).
+// which removes its velocity into the surface (contacts do not bounce), and its sliding in the substep is
+// reduced by up to `friction` times the depth (Coulomb friction as in Mueller et al. 2007).
 class Contacts {
  public:
   explicit Contacts(const Blocks& blocks) : blocks_(blocks), contacts_(blocks.count()) {}

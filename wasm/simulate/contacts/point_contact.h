@@ -10,8 +10,8 @@
 
 namespace limber {
 
-// How far around a vertex or triangle contacts are searched: `margin` metres, plus what it moves in a step at
-// twice its speed at the start of the step.
+// The distance around a vertex or triangle within which contacts are searched: `margin` metres, plus its
+// motion in a step at twice its speed at the start of the step.
 struct ContactDistance {
   double margin;
   int substeps;
@@ -20,10 +20,10 @@ struct ContactDistance {
   double of(double squaredMotion) const { return margin + 2 * substeps * std::sqrt(squaredMotion); }
 };
 
-// Of the diagonal of the body at rest.
+// The margin as a fraction of the diagonal of the body at rest.
 inline constexpr double kContactMargin = 0.02;
 
-// The margin has what a body at rest falls in a step, which is farther than a small body is large.
+// The margin includes the fall of a body from rest in a step, which can exceed the size of a small body.
 inline ContactDistance contactDistance(double restDiagonal, const Vec3& gravity, int substeps) {
   return {kContactMargin * restDiagonal + length(gravity) * kStepSeconds * kStepSeconds, substeps};
 }
@@ -31,10 +31,10 @@ inline ContactDistance contactDistance(double restDiagonal, const Vec3& gravity,
 // A point that may touch the ground or a collider within a step.
 struct PointContact {
   bool flat;    // the contact is with the ground, which fills y < 0
-  Float4 base;  // the point relative to the start of the axis, or to the floor, at the start of the step
+  Float4 base;  // the point relative to the start of the axis, or to the ground, at the start of the step
   ContactSurface surface;
 
-  // What becomes of the point with this motion in a substep; nothing where it is outside. `friction` is the
+  // The effect on the point with this motion in a substep; nothing if it is outside. `friction` is the
   // coefficient.
   std::optional<ContactPush> pushAt(const Motion& motion, float friction) const {
     Float4 normal = {0, 1, 0, 0};

@@ -13,9 +13,9 @@ namespace limber {
 
 namespace {
 
-// The most cells per axis, so that a key fits into 64 bits.
+// The limit on cells per axis that lets a key fit into 64 bits.
 constexpr double kMostCells = 1 << 20;
-constexpr double kWidestSteps = 3;  // edges, of a ball at most: as near as vertices can be that touch
+constexpr double kWidestSteps = 3;  // edges, limit on a diameter: touching vertices are at least as far apart
 
 using CellIndex = std::array<uint64_t, 3>;
 
@@ -46,10 +46,11 @@ std::vector<uint32_t> ringOf(const TriangleMesh& mesh, const Topology& topology,
   return ring;
 }
 
-// The widths of the balls; 0 at a vertex without any edge of some length. Where vertices lie along a line
-// with needles beside it, as on the rim of a fan, the mean of the edges is that of the needles, and a ball of
-// that width would hold vertices in proportion to their number. Vertices more than two edges apart touch, so
-// a ball may reach as far as three of the edges along the line: of the two shortest ones the longer.
+// The diameters of the balls; 0 at a vertex whose edges all have length 0. If vertices lie along a line with
+// adjacent needles, as on the rim of a fan, the mean edge length is that of the needles, and a ball of that
+// size would contain a number of vertices proportional to their total. Only vertices more than two edges
+// apart touch, so the diameter is limited to three edges along the line, for which the longer of the two
+// shortest edges is taken.
 std::vector<double> ballWidths(const TriangleMesh& mesh, const Topology& topology) {
   struct Edges {
     double sum = 0, shortest = HUGE_VAL, second = HUGE_VAL;
@@ -71,13 +72,14 @@ std::vector<double> ballWidths(const TriangleMesh& mesh, const Topology& topolog
   return widths;
 }
 
-// How far beyond its ball a vertex of that width is looked for. The limit keeps cells small; faster vertices
+// How far beyond its ball a vertex of that diameter is searched. The limit keeps cells small; faster vertices
 // may pass through.
 double marginOf(double width, double travel) {
   return std::min(travel + 0.05 * width, width / 2);
 }
 
-// So wide that two vertices that are no wider and may touch lie in the same cell or in neighbouring ones.
+// The cell size for which two vertices of at most this diameter that may touch lie in the same cell or in
+// neighbouring ones.
 double cellFor(double width, double travel) {
   return width + 2 * marginOf(width, travel);
 }
@@ -97,7 +99,7 @@ SelfContacts::SelfContacts(const TriangleMesh& mesh, double friction)
   }
 }
 
-// Widths of one level differ by less than a factor of 2, so that the cells suit all of them.
+// Diameters of one level differ by less than a factor of 2, so that the cells suit all of them.
 void SelfContacts::findLevels() {
   std::map<int, Level> levelOfExponent;
   for (uint32_t v = 0; v < width_.size(); ++v) {
@@ -109,7 +111,7 @@ void SelfContacts::findLevels() {
   for (auto& [exponent, level] : levelOfExponent) levels_.push_back(std::move(level));
 }
 
-// Each ring has its own vertex, so that the rings of neighbours meet as well.
+// Each ring includes its own vertex, so that the rings of neighbours intersect as well.
 bool SelfContacts::areNear(uint32_t a, uint32_t b) const {
   auto shorter = ringAt(a), longer = ringAt(b);
   if (shorter.size() > longer.size()) std::swap(shorter, longer);
@@ -139,7 +141,7 @@ SelfContacts::Search SelfContacts::searchOf(const Particles& particles, int subs
   return {low, substeps * std::sqrt(double{fastest})};
 }
 
-// Adds the pairs of a vertex of one level and a vertex of another, or of the same.
+// Adds the pairs of a vertex of one level and a vertex of another, or of the same level.
 void SelfContacts::findPairs(const Particles& particles, const Search& search, const Level& finer,
                              const Level& coarser) {
   const Grid grid = {search.low, cellFor(coarser.widest, search.travel)};

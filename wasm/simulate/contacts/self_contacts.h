@@ -9,14 +9,14 @@
 
 namespace limber {
 
-// Keeps the parts of a body apart that do not lie side by side. Each vertex is the middle of a ball as wide
-// as the edges around it are long, on average, and at most three times as wide as the second shortest of them
-// is long, so that the ends of needles touch as many others as their spacing lets them. Two vertices that are
-// more than two edges away from each other push each other away when their balls meet, or when they come
-// closer than at rest where that is less. This suits cloth of even triangles. A coarse mesh, or a fine part
-// of an uneven one, can slip through, and so can a part that moves by more than an edge in a step.
+// Keeps parts of a body apart that are not neighbours on its surface. Each vertex is the centre of a ball
+// whose diameter is the mean length of the edges around it, and at most three times the length of the second
+// shortest of them, which limits the number of contacts at the ends of needles. Two vertices that are more
+// than two edges apart repel each other when their balls meet, or, if their rest distance is less, when they
+// come closer than at rest. This suits cloth of regular triangles. A coarse mesh, or a fine part of a
+// nonuniform one, can slip through, and so can a part that moves by more than an edge length in a step.
 //
-// A vertex without an edge of any length touches nothing.
+// A vertex whose edges all have length 0 touches nothing.
 class SelfContacts {
  public:
   // `mesh` at rest, in metres.
@@ -32,10 +32,10 @@ class SelfContacts {
   struct Pair {
     uint32_t a, b;
     Float4 base;           // x_a - x_b at the start of the step
-    float distance;        // metres, that they are kept apart
+    float distance;        // metres: their minimum distance
     float shareA, shareB;  // w / (w_a + w_b)
   };
-  // A vertex in a grid that pairs are found with.
+  // A vertex in a grid for finding pairs.
   struct Cell {
     uint64_t key;
     uint32_t vertex;
@@ -45,10 +45,10 @@ class SelfContacts {
     double widest = 0;  // metres
     std::vector<Cell> cells;
   };
-  // Where to look for pairs in one step.
+  // The search range for pairs in one step.
   struct Search {
     Vec3 low;       // of all vertices
-    double travel;  // the furthest that a vertex goes, metres
+    double travel;  // the largest motion of a vertex, metres
   };
   void findLevels();
   Search searchOf(const Particles& particles, int substeps) const;

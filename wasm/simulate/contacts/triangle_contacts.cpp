@@ -10,8 +10,7 @@ namespace {
 // How often the nearest points of a triangle and an axis are improved, each from the other. A few rounds
 // suffice, because any pair that is closer than the radius is a true contact.
 constexpr int kRounds = 4;
-// A corner moves at most this many times as far as the contact point, even where the other corners are
-// pinned.
+// A corner moves at most this many times as far as the contact point, even if the other corners are pinned.
 constexpr float kMostLeverage = 10;
 
 // How far the longest edge of a triangle is assumed to stretch within a step, as a factor.
@@ -23,7 +22,7 @@ Float4 pointAt(const Float4 (&corner)[3], const Shares& share) {
   return splat(share[0]) * corner[0] + splat(share[1]) * corner[1] + splat(share[2]) * corner[2];
 }
 
-// The share of the end of a segment in its point that is nearest to the origin, in [0, 1].
+// The parameter of the point of a segment that is nearest to the origin: 0 at its start, 1 at its end.
 float shareOfEnd(Float4 start, Float4 end) {
   const Float4 along = end - start;
   const float squared = dot3(along, along);
@@ -31,7 +30,7 @@ float shareOfEnd(Float4 start, Float4 end) {
 }
 
 // The barycentric coordinates of the point of a triangle that is nearest to the origin: the foot on its
-// plane, or the nearest point of its edges where the foot lies outside.
+// plane, or the nearest point of its edges if the foot lies outside.
 Shares nearestShares(const Float4 (&corner)[3]) {
   const Float4 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];
   const float g11 = dot3(edge1, edge1), g12 = dot3(edge1, edge2), g22 = dot3(edge2, edge2);

@@ -11,11 +11,12 @@
 
 namespace limber {
 
-// Contacts of triangles with balls and capsules between their corners, so that a coarse mesh lies on them as
-// a fine one does. The point of a triangle that is nearest to the axis is moved onto the surface and loses as
-// much of its sliding as a vertex does (see Contacts); the corners share both by the barycentric coordinates
-// of the point and their inverse masses. Only triangles whose longest edge at rest exceeds kLeastEdge of the
-// radius take part: the middle of smaller ones sinks in by less than 0.2 % of the radius.
+// Contacts of the interior of triangles with balls and capsules, so that a coarse mesh rests on them as a
+// fine one does. The point of a triangle that is nearest to the axis is moved onto the surface, with the same
+// friction as for a vertex (see Contacts); both corrections are distributed to the corners by the barycentric
+// coordinates of the point and their inverse masses. Only triangles whose longest edge at rest exceeds
+// kLeastEdge times the radius take part: the middle of smaller ones sinks in by less than 0.2 % of the
+// radius.
 class TriangleContacts {
  public:
   static constexpr double kLeastEdge = 0.1;

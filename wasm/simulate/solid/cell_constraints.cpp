@@ -70,7 +70,7 @@ inline GradientColumns gradientOf(const Vec3x4 (&a)[8], const Float4 (&moments)[
           (a[4] + a[6] * y + a[5] * x + a[7] * xy) * scale[2]};
 }
 
-// Adds the multipliers of amplitudes that belong to those of the gradient's columns.
+// Adds the multipliers of amplitudes that correspond to those of the gradient's columns.
 inline void addGradientMultipliers(const GradientColumns& multipliers, const Float4 (&moments)[6],
                                    const Float4 (&scale)[3], Vec3x4 (&y)[8]) {
   const auto& [mx, my, mz, myz, mzx, mxy] = moments;
@@ -88,7 +88,7 @@ inline GradientColumns cofactors(const GradientColumns& f) {
   return {cross(f.y, f.z), cross(f.z, f.x), cross(f.x, f.y)};
 }
 
-// The Gram-Schmidt basis of the columns of F, and what its derivative needs.
+// The Gram-Schmidt basis of the columns of F, and the terms of its derivative.
 struct Axes {
   Vec3x4 e[3];
   Float4 inverseX, inverseY;  // 1 / |f_x|, 1 / |f_y across e_0|
@@ -107,8 +107,8 @@ inline Axes axesOf(const GradientColumns& f) {
   return axes;
 }
 
-// The multipliers of F's columns that take up a torque on the axes: minus the derivative of the energy of
-// which `torque` is the derivative by the rotation of the axes.
+// The multipliers of F's columns that balance a torque on the axes: minus the derivative of the energy whose
+// derivative with respect to the rotation of the axes is `torque`.
 inline GradientColumns takeUp(const Vec3x4& torque, const Axes& axes) {
   const Float4 t0 = dot(torque, axes.e[0]), t1 = dot(torque, axes.e[1]), t2 = dot(torque, axes.e[2]);
   const Float4 lean = t0 * axes.leaning * axes.inverseX * axes.inverseY;
@@ -130,7 +130,7 @@ inline void multiplySymmetric(const Float4* packed, const Float4 (&v)[12], Float
 
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
-// sum_k w_k grad_k grad_k^T: how far F gives way to a unit multiplier.
+// sum_k w_k grad_k grad_k^T: the change of F for a unit multiplier.
 Eigen::Matrix3d meanMobility(const CellRest& rest, const std::array<double, 8>& weights) {
   const auto gradients = meanGradients(rest.size, rest.moments);
   Eigen::Matrix3d mobility = Eigen::Matrix3d::Zero();
@@ -225,7 +225,7 @@ void CellConstraints::setCell(Batch& batch, const Lane& lane, const LatticeBody&
 
 void CellConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
   forEachConstraint(colouring_, begin, end, [&](size_t i, int lane, uint32_t cell) {
-    std::array<Vec3, 8> corners;  // seen from the first, so that floats keep their digits far from the origin
+    std::array<Vec3, 8> corners;  // relative to the first, because floats far from the origin lose digits
     for (int k = 0; k < 8; ++k)
       corners[k] = particles.positions[cells_[cell][k]] - particles.positions[cells_[cell][0]];
     for (int mask = 1; mask < 8; ++mask) setLane(batches_[i].base[mask], lane, amplitudeOf(mask, corners));
@@ -250,7 +250,7 @@ void CellConstraints::projectBatch(const Batch& b) const {
   for (int k = 0; k < 8; ++k) change[k] = moved[k] = moved[k] * b.weight[k];
   toAmplitudes(change);
 
-  // The hourglass amplitudes that are left, in the axes of the cell.
+  // The remaining hourglass amplitudes, in the axes of the cell.
   const Axes axes = axesOf(f);
   Vec3x4 amplitude[4], multipliers[8] = {}, torque{};
   Float4 local[12], response[12];

@@ -22,8 +22,9 @@ namespace limber {
 // implicit too and stiff bodies do not oscillate.
 //
 // The four hourglass amplitudes q_i of the cell (lattice_body.h) have the energy 1/2 q^T H q in axes that
-// rotate with F: the Gram-Schmidt basis of its columns. H is what the element of the solid modes has beyond
-// its mean strain, so at rest the stiffness of both is the same. All twelve components are solved together.
+// rotate with F: the Gram-Schmidt basis of its columns. H is the stiffness of the element of the solid modes
+// without that of its mean strain, so at rest the stiffness of both is the same. All twelve components are
+// solved together.
 //
 // Linear and angular momentum are conserved.
 class CellConstraints {
@@ -40,7 +41,7 @@ class CellConstraints {
 
   uint32_t count() const { return static_cast<uint32_t>(cells_.size()); }
   const Colouring& colouring() const { return colouring_; }
-  // Takes over the positions at the start of a step, for batches [begin, end).
+  // Copies the positions at the start of a step, for batches [begin, end).
   void rebase(const Particles& particles, size_t begin, size_t end);
   // One XPBD pass over batches [begin, end).
   void project(size_t begin, size_t end) const;
@@ -52,7 +53,7 @@ class CellConstraints {
   static constexpr int kPacked = 12 * 13 / 2;
 
   struct Batch {
-    Vec3x4 base[8];      // amplitudes by mask at the start of the step; that of mask 0 is not used
+    Vec3x4 base[8];      // amplitudes by mask at the start of the step; mask 0 is not used
     Float4 moments[6];   // CellRest::moments
     Float4 scale[3];     // 1 / (4 size): F = scale (linear amplitudes + moments of the others)
     Float4 mobility[6];  // xx, yy, zz, yz, zx, xy of sum w_k grad_k grad_k^T over the corners, times `share`

@@ -11,8 +11,8 @@
 
 namespace limber {
 
-// Contacts of the vertices of an embedded surface with the ground and colliders, as Contacts has them. The
-// nodes of the cell share each correction by the weights of the vertex and their inverse masses.
+// Contacts of the vertices of an embedded surface with the ground and colliders, as in Contacts. Each
+// correction is distributed to the nodes of the cell by the weights of the vertex and their inverse masses.
 class EmbeddedContacts {
  public:
   EmbeddedContacts(const LatticeBody& body, const Blocks& blocks);

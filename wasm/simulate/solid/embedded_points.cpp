@@ -8,8 +8,8 @@ namespace limber {
 
 namespace {
 
-// What the way of the heaviest node counts against the gap of a pin: small enough that pins do not give way,
-// and large enough that the equations can be solved where a node hardly belongs to any pin.
+// The weight of the displacement of the heaviest node relative to the gap of a pin: small enough that pins do
+// not yield, and large enough that the equations can be solved if a node hardly belongs to any pin.
 constexpr double kSoftness = 1e-6;
 
 }  // namespace

@@ -20,17 +20,19 @@ struct LatticePoint {
 
   // Metres, between steps.
   Vec3 position(const Particles& particles) const;
-  // How far it moves in a substep, metres.
+  // Its motion in a substep, metres.
   Vec3 motion(const Particles& particles) const;
 };
 
 LatticePoint embeddedVertex(const LatticeBody& body, uint32_t v);
-// The point of a triangle with these barycentric coordinates, as it is drawn: between the triangle's corners.
+// The point of a triangle with these barycentric coordinates, interpolated between its embedded corners, as
+// it is drawn.
 LatticePoint embeddedPoint(const LatticeBody& body, const Triangle& triangle, const double (&barycentric)[3]);
 
-// Embedded points that are pinned to a target, which moves evenly through the step. All of them are met at
-// once: the nodes move by the least sum of mass times squared way with which they are, or come closest to it.
-// One after the other would let a plane of pins give way under what hangs on it.
+// Embedded points that are pinned to a target, which moves uniformly during the step. All targets are met at
+// once: the nodes move with the least sum of mass times squared displacement that meets them, or comes
+// closest. If pins were solved one after the other, a plane of pins would give way under the weight that
+// hangs on it.
 class EmbeddedPins {
  public:
   // Replaces all points.
@@ -47,12 +49,12 @@ class EmbeddedPins {
  private:
   struct Pin {
     LatticePoint point;
-    std::vector<uint32_t> rows;  // per node of the point: its place in nodes_
-    Vec3 gap, targetMove;        // metres: point - target at the start of the step, and that of the target
+    std::vector<uint32_t> rows;  // per node of the point: its index in nodes_
+    Vec3 gap, targetMove;  // metres: point - target at the start of the step, and the motion of the target
   };
 
   std::vector<Pin> pins_;
-  std::vector<uint32_t> nodes_;  // that pins move
+  std::vector<uint32_t> nodes_;  // nodes that pins move
   // Of W^T W + epsilon M over nodes_, with the weights W of the pins and the masses M.
   std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factor_;
   Eigen::MatrixXd way_;  // per node of nodes_, metres

@@ -14,10 +14,11 @@ namespace limber {
 
 namespace {
 
-// The least mass of a node, relative to the heaviest node of its cells, and the least filled share of a cell
-// as far as its stiffness goes: nodes at the rim of a sliver follow their neighbours.
+// The smallest mass of a node, relative to the heaviest node of its cells, and the smallest filled fraction
+// from which the stiffness of a cell is computed, so that nodes at the rim of a sliver follow their
+// neighbours.
 constexpr double kLightest = 0.01, kLeastFilled = 0.01;
-// A cell that is filled to within this share has the matrix of a full cell.
+// A cell that is full to within this fraction has the matrix of a full cell.
 constexpr double kFull = 1e-9;
 
 using HourglassMatrix = Eigen::Matrix<double, 12, 12>;
@@ -56,8 +57,8 @@ CellMatrix meanStiffness(const std::array<Vec3, 8>& gradients, double volume, do
   return k;
 }
 
-// A stiffness that vanishes on linear displacements, as a matrix over hourglass amplitudes. Rounding may
-// leave eigenvalues below 0, which become 0.
+// A stiffness that vanishes on linear displacements, as a matrix over hourglass amplitudes. Rounding may make
+// eigenvalues negative; these are set to 0.
 HourglassMatrix overAmplitudes(const CellMatrix& stiffness) {
   Eigen::Matrix<double, 12, 24> amplitudes = Eigen::Matrix<double, 12, 24>::Zero();
   for (int i = 0; i < 4; ++i)

@@ -11,9 +11,9 @@
 namespace limber {
 
 // A cell of a lattice has 24 displacements: eight amplitudes for each axis, a_m = sum_k s_mk x_k. Bit i of
-// the mask m says whether the sign s_mk depends on the side of corner k along axis i (Walsh-Hadamard
-// transform). Mask 0 is the translation, 1, 2 and 4 are linear in the position, and these four bend the cell
-// (hourglass modes). They are 0 at rest.
+// the mask m tells whether the sign s_mk depends on the side of corner k along axis i (Walsh-Hadamard
+// transform). Mask 0 is the translation, masks 1, 2 and 4 are linear in the position, and the following four
+// bend the cell (hourglass modes). They are 0 at rest.
 inline constexpr std::array<int, 4> kHourglassMasks = {3, 5, 6, 7};
 
 // The sign of corner k in the amplitude of a mask.
@@ -24,7 +24,7 @@ constexpr int amplitudeSign(int mask, int corner) {
   return sign;
 }
 
-// What resists in one cell, in SI units.
+// The elastic properties of one cell, in SI units.
 struct CellRest {
   Vec3 size;      // m, of the whole cell
   double volume;  // m3, of its filled part
@@ -39,7 +39,7 @@ struct CellRest {
 // deformation gradient is sum_k x_k gradient_k^T.
 std::array<Vec3, 8> meanGradients(const Vec3& size, const std::array<double, 6>& moments);
 
-// Where a vertex of the surface lies: in a cell, with the trilinear weights of its corners.
+// The position of a vertex of the surface: its cell, and the trilinear weights of the cell's corners.
 struct EmbeddedVertex {
   uint32_t cell = 0;
   std::array<double, 8> weights{};
@@ -57,12 +57,12 @@ struct LatticeBody {
 // The lattices of all closed components of `solids`, each together with its cavities; no component may be
 // open. `cellSize` is in units of the mesh; see latticeGrid. At rest the stiffness is that of the solid modes
 // (elastic/solid/solid.h): each cell's matrix is split into that of its mean strain and a remainder, which
-// acts on its hourglass amplitudes alone. Masses are those of the solid modes too, except that light nodes
-// get at least a share of their neighbours' mass, for in motion every node needs some.
+// acts only on its hourglass amplitudes. Masses are those of the solid modes too, except that light nodes get
+// at least a share of their neighbours' mass, because in motion every node needs some.
 LatticeBody latticeBody(const TriangleMesh& solids, const Vec3& cellSize, const ElasticMaterial& material);
 
-// The size of the cells for a body and for all that it is compared with: about as many cells as the solid
-// modes take. `mesh` may have open components, which do not count. 0 where no component is closed.
+// The cell size for a body and for all bodies that it is compared with: it gives about as many cells as the
+// solid modes use. `mesh` may have open components, which do not count. 0 if no component is closed.
 Vec3 solidCellSize(const TriangleMesh& mesh);
 
 // Per component of a mesh whether it is a solid or bounds one of its cavities.

@@ -11,9 +11,9 @@
 namespace limber {
 
 // A body whose closed components move as solids and whose open ones as shells, each with a solver of its own.
-// Beside solids, open components that have no area, and so no mass, stay where they are.
-// The functions are those of Simulation, which leads here when its model is Solid; vertices, triangles and
-// pins are those of the whole body. `Sheets` is Simulation, which this file cannot know.
+// In a body with solids, open components without area, and therefore without mass, do not move. The functions
+// are those of Simulation, which forwards to this class if its model is Solid; vertices, triangles and pins
+// are those of the whole body. `Sheets` is Simulation, which this file cannot include.
 template <class Sheets>
 class SolidSimulation {
  public:
@@ -120,8 +120,8 @@ class SolidSimulation {
 
   SolidSplit split_;
   double unit_;                         // metres per unit of the mesh
-  std::unique_ptr<Sheets> sheets_;      // null where no component is open, or those that are have no area
-  std::unique_ptr<SolidState> solids_;  // null where none is
+  std::unique_ptr<Sheets> sheets_;      // null if no component is open, or if the open ones have no area
+  std::unique_ptr<SolidState> solids_;  // null if no component is closed
 };
 
 }  // namespace limber

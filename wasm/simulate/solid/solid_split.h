@@ -13,9 +13,9 @@ namespace limber {
 struct SolidSplit {
   explicit SolidSplit(const TriangleMesh& mesh);
 
-  // Divides the pins and remembers which of the body's pins are whose.
+  // Divides the pins and records to which part each of the body's pins belongs.
   void splitPins(const Pins& pins);
-  // The same point in the sheets or in the solids, by where its triangle is.
+  // The same point in the sheets or in the solids, whichever has its triangle.
   SurfacePoint local(const SurfacePoint& point) const;
   // The values that belong to these indices, in their order.
   static std::vector<Vec3> chosen(std::span<const Vec3> values, std::span<const uint32_t> indices);

@@ -16,7 +16,7 @@ namespace limber {
 
 namespace {
 
-// Lattices with at least this many nodes are cut into blocks, and how large these are.
+// The number of nodes from which lattices are cut into blocks, and the size of the blocks.
 constexpr BlockSizes kBlocksOfNodes = {2500, 800};
 
 // Renumbers the nodes from end to end, so that blocks are ranges.
@@ -54,8 +54,8 @@ SolidState::SolidState(const TriangleMesh& mesh, const SimulationOptions& option
   makeSchedule();
 }
 
-// Pinned faces are refined down to the size of a cell, so that they are pinned all over, and then all faces,
-// so that what touches them meets the surface wherever it is.
+// Pinned faces are refined down to the size of a cell, so that they are pinned everywhere, and then all
+// faces, so that contacts are found everywhere on the surface.
 void SolidState::makeBody() {
   const Vec3 cell = squaredLength(options_.cellSize) > 0 ? options_.cellSize : solidCellSize(surface_);
   refinePinnedFaces(surface_, pinnedVertices_, longestSide(cell), &pinnedParents_);
@@ -135,7 +135,7 @@ void SolidState::drag(const SurfacePoint& point, const Vec3& target) {
   dragTarget_ = target * options_.material.unit;
 }
 
-// The air pushes the vertices, and each node takes its share of their forces.
+// The air acts on the vertices, and each node takes its share of their forces.
 void SolidState::startWind() {
   windAcceleration_.clear();
   if (squaredLength(wind) == 0) return;
@@ -197,7 +197,7 @@ void SolidState::makeSchedule() {
   pointPhase_ = repeated.size();
   repeated.push_back(phaseOf(1, [this](size_t, int repeat) {
     dragged_.project(particles_, repeat);
-    fixed_.project(particles_, repeat);  // after the hand, which is not to move them
+    fixed_.project(particles_, repeat);  // after the dragged point, which must not move them
   }));
   contactPhase_ = repeated.size();
   repeated.push_back(phaseOf(

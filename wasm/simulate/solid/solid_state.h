@@ -19,11 +19,11 @@
 namespace limber {
 
 // Closed bodies in motion as solids: a lattice whose nodes are the particles, and the surface embedded in it.
-// In SI units but for positions that come from or go to callers, which are in units of the mesh, as those of
-// Simulation are. It must not be moved: the phases of its schedule point into it.
+// In SI units, except for positions that callers pass or receive, which are in units of the mesh, as in
+// Simulation. It must not be moved: the phases of its schedule point into it.
 class SolidState {
  public:
-  // Every component of `mesh` is closed. `options` and `pins` are valid for it.
+  // Every component of `mesh` must be closed; `options` and `pins` must be valid for it.
   SolidState(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins);
   SolidState(const SolidState&) = delete;
   SolidState& operator=(const SolidState&) = delete;
@@ -35,7 +35,7 @@ class SolidState {
   Vec3 position(uint32_t v) const;
   Vec3 position(const SurfacePoint& point) const;
   Vec3 velocity(uint32_t v) const;
-  // Nodes get the velocities that fit those of the vertices best, see VelocityFit.
+  // Nodes get the velocities that best fit those of the vertices, see fitVelocities.
   void setVelocities(std::span<const Vec3> velocities);
   void setPinTargets(std::span<const Vec3> targets);
   void drag(const SurfacePoint& point, const Vec3& target);
@@ -78,9 +78,9 @@ class SolidState {
   Particles particles_;
   std::optional<CellConstraints> cells_;
   std::optional<EmbeddedContacts> contacts_;
-  std::vector<LatticePoint> vertices_;        // by vertex of the caller
-  std::vector<double> surfaceMasses_;         // kg, by vertex of the caller: what the air moves
-  EmbeddedPins fixed_, dragged_;              // pinned vertices, then pinned points; no point or one
+  std::vector<LatticePoint> vertices_;  // by vertex of the caller
+  std::vector<double> surfaceMasses_;   // kg, by vertex of the caller: the masses that the air accelerates
+  EmbeddedPins fixed_, dragged_;        // pinned vertices, then pinned points; no point or one
   std::vector<Vec3> pinTargets_, pinStarts_;  // metres, of fixed_
   Vec3 dragTarget_;
   std::vector<Vec3> windAcceleration_;  // m/s2 per node; empty without wind

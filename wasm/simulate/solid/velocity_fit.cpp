@@ -8,13 +8,13 @@ namespace limber {
 
 namespace {
 
-// What a second difference counts against the velocity of a vertex, and a first one where second ones say
-// nothing.
+// The weight of a second difference relative to the velocity of a vertex, and that of a first difference, for
+// nodes that second differences do not determine.
 constexpr double kSmoothness = 1e-3, kFirstDifference = 1e-9;
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// Equations of least squares: each adds a row times its transpose.
+// The normal equations of least squares: each equation adds a row times its transpose.
 class NormalEquations {
  public:
   explicit NormalEquations(size_t nodes)
