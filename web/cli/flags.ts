@@ -32,27 +32,27 @@ export interface CommandSpec {
 const REPORT: Flag = {
   name: 'report',
   value: 'FILE|-',
-  help: 'Write the JSON report to FILE, or alone to stdout.',
+  help: 'Write the JSON report to FILE or, with -, to stdout, which then gets nothing else.',
   group: 'output',
 };
 const SETTINGS: Flag = {
   name: 'settings',
   value: 'FILE',
-  help: 'Write what the solver needs to move the result like the original (docs/formats.md).',
+  help: 'Write the parameters with which the solver moves the result like the original (docs/formats.md).',
   group: 'output',
 };
 /** Sets the whole material; flags for a part of it override that part. */
 const MATERIAL_PRESET: Flag = {
   name: 'material-preset',
   value: MATERIAL_NAMES.join('|'),
-  help: 'A whole material by name; other flags change parts of it. Default: rubber.',
+  help: 'All material parameters, by the name of a material; other flags override single ones. Default: rubber.',
   group: 'material',
 };
 /** Settings for what a result is made for; flags of their own override them. */
 const PRESET: Flag = {
   name: 'preset',
   value: PRESET_NAMES.join('|'),
-  help: 'Settings that go well together for what the result is made for; other flags change parts of them.',
+  help: 'Settings for the purpose of the result; other flags override single ones.',
   group: 'common',
 };
 /** What --from can say of stdin. */
@@ -64,12 +64,12 @@ const COMMON: Flag[] = [
   {
     name: 'from',
     value: INPUT_FORMATS.join('|'),
-    help: 'The format of a model from stdin, where its bytes leave it open.',
+    help: 'Format of a model read from stdin, if its bytes do not tell.',
     group: 'common',
   },
   {
     name: 'force',
-    help: 'Replace files that limber has not written itself; without it they are refused.',
+    help: 'Overwrite files that limber did not write itself; without this it refuses to.',
     group: 'output',
   },
   {
@@ -80,13 +80,13 @@ const COMMON: Flag[] = [
   {
     name: 'memory',
     value: 'SIZE',
-    help: 'Memory that the core may take, such as 512M or 2G: a model that needs more is refused before the work. Default: 4G, the most.',
+    help: 'Memory limit of the core, such as 512M or 2G: a model that needs more is refused before any work. Default and maximum: 4G.',
     group: 'common',
   },
-  { name: 'quiet', help: 'Say nothing but errors.', group: 'common' },
+  { name: 'quiet', help: 'Print nothing but errors.', group: 'common' },
   {
     name: 'verbose',
-    help: 'A line for every warning; without it equal ones of several bodies share a line.',
+    help: 'Print every warning on a line of its own; without this, bodies with the same warning share a line.',
     group: 'common',
   },
   { name: 'help', help: 'Show this help.', group: 'common' },
@@ -98,18 +98,18 @@ const TARGETS: Flag[] = [
   {
     name: 'faces',
     value: 'N',
-    help: 'Keep at most N faces of the whole scene, where they hurt most to lose.',
+    help: 'Keep at most N faces of the whole scene, those whose removal would do the most harm.',
     group: 'target',
   },
   {
     name: 'ratio',
     value: 'R',
-    help: 'Keep this share of the faces of the whole scene, above 0 to 1 (default: 0.5, where no other target is asked for). Of several targets the first one reached stops.',
+    help: 'Keep this share of the faces of the whole scene, above 0 and up to 1 (default: 0.5 if no other target is given). Of several targets, the first one reached ends the reduction.',
     group: 'target',
   },
   {
     name: 'soft',
-    help: 'End with exit code 0 where a target or limit that was asked for is not reached; the reason is told.',
+    help: 'Exit with code 0 even if a requested target or limit is not reached; the reason is still printed.',
     group: 'target',
   },
   {
@@ -138,7 +138,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       },
       {
         name: 'no-validate',
-        help: 'Do not check OUT by the Khronos glTF validator, which otherwise warns of errors that IN does not have (files of more than 64 MB are never checked).',
+        help: 'Do not check OUT with the Khronos glTF validator, which otherwise warns of errors that IN does not have (files of more than 64 MB are never checked).',
         group: 'output',
       },
       SETTINGS,
@@ -148,27 +148,27 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   },
   batch: {
     operands: ['SRC...', 'OUT'],
-    summary: 'Optimize all models of folders, and later those that have changed.',
+    summary: 'Optimize all models in folders; later, only those that have changed.',
     flags: [...BATCH_FLAGS, ...TARGETS, ...COMMON.filter(({ name }) => name !== 'from' && name !== 'memory')],
     defaults: {},
     words: {
-      threads: { help: 'Threads of each job; 0: the cores are shared out.', group: 'common' },
+      threads: { help: 'Threads per job; 0 divides the cores among the jobs.', group: 'common' },
     },
   },
   tune: {
     operands: ['A', 'B'],
-    summary: 'Find the parameters of a solver with which B moves like A.',
+    summary: 'Find the solver parameters with which B moves like A.',
     flags: [SETTINGS, ...COMMON],
     defaults: {},
   },
   modes: {
     operands: ['IN'],
-    summary: 'List the frequencies at which the body deforms by itself.',
+    summary: 'List the natural frequencies of the body.',
     flags: [
       {
         name: 'shapes',
         value: 'OUT.glb',
-        help: 'Write the modes as morph targets with an animation each.',
+        help: 'Write the modes as morph targets, each with an animation.',
         group: 'output',
       },
       ...COMMON,
@@ -177,14 +177,14 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   },
   compare: {
     operands: ['A', 'B'],
-    summary: 'Measure how alike A, the original, and B are in shape and vibration.',
+    summary: 'Compare shape and vibration of B with those of the original A.',
     flags: COMMON,
     defaults: COMMAND_DEFAULTS.compare,
-    words: { modeCount: { help: 'How many elastic modes are compared.', group: 'material' } },
+    words: { modeCount: { help: 'Number of elastic modes to compare.', group: 'material' } },
   },
   simulate: {
     operands: ['A', '[B]'],
-    summary: 'Move A, and B beside it: times, and how far they part.',
+    summary: 'Simulate A and B: time per step, and how far B deviates from A.',
     flags: [
       {
         name: 'record',
@@ -195,13 +195,13 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       {
         name: 'bind',
         value: 'FILE',
-        help: 'Carry pins over to B by this file of limber optimize --bind, not by closest points.',
+        help: 'Transfer pins to B with this file from limber optimize --bind, instead of by closest points.',
         group: 'simulation',
       },
       {
         name: 'settings',
         value: 'FILE',
-        help: 'Give B the masses and factors of this file of limber optimize --settings or limber tune; A keeps the parameters that it was tuned to.',
+        help: 'Simulate B with the masses and factors in this file from limber optimize --settings or limber tune, and A with the parameters of the original that it contains.',
         group: 'simulation',
       },
       ...COMMON,
@@ -210,7 +210,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   },
   inspect: {
     operands: ['IN'],
-    summary: 'Tell what is in a mesh and what is wrong with it.',
+    summary: 'Describe the contents and the defects of a mesh.',
     flags: COMMON,
     defaults: {},
   },

@@ -35,15 +35,15 @@ function overview(): string {
     '',
     ...usages,
     '',
-    'IN, A and B are GLB, glTF (its files beside it), OBJ, STL, PLY or OFF, or a ZIP of one with its',
-    'files. OUT is GLB, glTF, OBJ or PLY, or a ZIP of one, by its ending.',
-    'limber help COMMAND, or limber COMMAND --help, shows all options of a command; limber completion',
-    'bash|zsh|fish writes a script that completes them.',
+    'IN, A and B can be GLB, glTF (with its files beside it), OBJ, STL, PLY, OFF, or a ZIP of one with',
+    'its files. OUT can be GLB, glTF, OBJ, PLY, or a ZIP of one, chosen by the ending of its name.',
+    'limber help COMMAND (or limber COMMAND --help) lists the options of a command; limber completion',
+    'bash|zsh|fish prints a completion script for that shell.',
     '',
-    'IN and OUT may be -: stdin and stdout.',
+    'IN and OUT can be -, which means stdin and stdout.',
     '',
-    'Exit codes: 0 done, 1 bad input or option, 2 a target that was asked for was missed (OUT is',
-    'written all the same; --soft makes it 0), 3 internal error.',
+    'Exit codes: 0 done, 1 bad input or option, 2 a requested target was missed (OUT is written',
+    'anyway; --soft makes it 0), 3 internal error.',
   ].join('\n');
 }
 

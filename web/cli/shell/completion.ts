@@ -10,7 +10,7 @@ export type Shell = keyof typeof SHELLS;
 const SHELL_NAMES = Object.keys(SHELLS) as Shell[];
 
 const HELP = `limber completion ${SHELL_NAMES.join('|')}
-Write a script that completes commands, flags and the words that flags take.
+Print a script that completes commands, flags and the values of flags.
 
   bash   eval "$(limber completion bash)" in ~/.bashrc
   zsh    limber completion zsh > a file _limber in a folder of $fpath

@@ -6,16 +6,16 @@ import { COMMAND_SPECS, COMMANDS, flagsOf } from '../flags';
 import type { Command } from '../flags';
 
 const EXIT_CODES = [
-  ['0', 'Done; also where a default, such as half of the faces, was not reached.'],
-  ['1', 'Bad input or option; of a batch: at least one asset failed.'],
-  ['2', 'A target that was asked for as a number or limit was missed: the file is written all the same.'],
+  ['0', 'Done, even if a default such as half of the faces was not reached.'],
+  ['1', 'Bad input or option; in a batch, at least one asset failed.'],
+  ['2', 'A target given as a number or limit was missed; the file is written anyway.'],
   ['3', 'Internal error.'],
 ];
 
 const DESCRIPTION = `Limber simplifies meshes so that they still move right: it predicts how a soft body or a piece of cloth will bend, measures
 where it strains, and collapses edges so that motion and shape survive. It reads GLB, glTF, OBJ, STL, PLY and OFF, and
-ZIPs of them. IN and OUT may be -: stdin and stdout. Nothing is written over the input, what belongs to it, or a file that limber
-has not written itself, unless --force is given. Progress and warnings go to stderr.`;
+ZIPs of them. IN and OUT can be -, which means stdin and stdout. Limber never overwrites the input, the files that belong to
+it, or, without --force, a file that it has not written itself. Progress and warnings go to stderr.`;
 
 /** The text in the macros of man(7). */
 export function manPage(): string {
@@ -41,7 +41,7 @@ export function manPage(): string {
     '.TP',
     '.B TERM',
     roff(
-      'Where it is dumb, no line is drawn over; nothing is ever coloured, so that NO_COLOR has nothing to switch off.',
+      'If it is dumb, no line of progress is redrawn. Output is never coloured, so NO_COLOR has no effect.',
     ),
     '',
   ].join('\n');

@@ -31,7 +31,7 @@ export const SCENARIOS = [
   {
     name: 'sway',
     label: 'Sway',
-    aside: 'a blow across',
+    aside: 'a sideways blow',
     sentence: '{end} is struck.',
     pinned: 'low',
     movesPins: false,
@@ -58,7 +58,7 @@ export const SCENARIOS = [
   {
     name: 'pull',
     label: 'Pull',
-    aside: 'the upper end by a fifth of the length',
+    aside: 'the upper end moves by a fifth of the length',
     sentence: '{end} moves away by a fifth of the length.',
     pinned: 'both',
     movesPins: true,

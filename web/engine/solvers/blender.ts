@@ -124,7 +124,7 @@ export const blender: SolverProfile = {
       unit: '',
       min: 1,
       max: 1000,
-      words: 'steps of a frame',
+      words: 'steps per frame',
       role: 'substeps',
       scaling: meshIndependent,
     },

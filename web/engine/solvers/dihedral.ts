@@ -10,7 +10,7 @@ import type { SolverProfile } from './profile';
 export const dihedral: SolverProfile = {
   name: 'dihedral',
   label: 'Edges and hinges',
-  words: 'springs along edges, hinges at their angles',
+  words: 'springs along edges, hinges at dihedral angles',
   stretch: 'edge-springs',
   bend: 'hinge',
   mass: 'area',

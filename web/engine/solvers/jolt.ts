@@ -38,7 +38,7 @@ export const jolt: SolverProfile = {
       unit: '1/s',
       min: 0,
       max: 1000,
-      words: 'rate at which velocities fall',
+      words: 'rate at which velocities decay',
       role: 'damping',
       scaling: meshIndependent,
     },

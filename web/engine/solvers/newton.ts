@@ -78,14 +78,7 @@ export const newton: SolverProfile = {
       role: 'friction',
       scaling: meshIndependent,
     },
-    {
-      name: 'iterations',
-      unit: '',
-      min: 1,
-      max: 1e6,
-      words: 'of VBD in a substep',
-      scaling: meshIndependent,
-    },
+    { name: 'iterations', unit: '', min: 1, max: 1e6, words: 'of VBD per substep', scaling: meshIndependent },
   ],
   defaults(material, { meanEdge }) {
     const { stretch, secondStretch } = plateConstants(material);

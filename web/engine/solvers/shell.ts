@@ -6,7 +6,7 @@ import { sheetFamily } from './sheet_family';
 export const shell: SolverProfile = {
   name: 'shell',
   label: 'Shell',
-  words: 'the shell of this program: membrane and Morley bending',
+  words: "Limber's own shell: membrane and Morley bending",
   stretch: 'membrane',
   bend: 'morley',
   mass: 'area',

@@ -23,12 +23,12 @@ export const EXPORT_FORMS: MessageTable = {
     '小さく、three.js、Babylon.js、PlayCanvas ですばやく開けます (EXT_meshopt_compression)。',
   'The smallest, slower to open; most web viewers read it (KHR_draco_mesh_compression).':
     '最も小さく、開くのは遅くなります。ほとんどの Web ビューアーが対応しています (KHR_draco_mesh_compression)。',
-  'How GLB and glTF store vertices: like-input (as IN does), none, quantized (KHR_mesh_quantization), meshopt (EXT_meshopt_compression) or draco (KHR_draco_mesh_compression). The last three round what the input has as floats.':
+  'How GLB and glTF store vertices: like-input (as IN does), none, quantized (KHR_mesh_quantization), meshopt (EXT_meshopt_compression) or draco (KHR_draco_mesh_compression). The last three round values that the input stores as floats.':
     'GLB と glTF の頂点の保存形式です。like-input (入力と同じ)、none (なし)、quantized (KHR_mesh_quantization)、meshopt (EXT_meshopt_compression)、draco (KHR_draco_mesh_compression)。最後の 3 つは入力の浮動小数点数を丸めます。',
   'Not asked: it reads GLB and glTF alone.': '検証の対象外です (GLB と glTF のみ検証できます)。',
   'Levels of detail': '詳細度 (LOD)',
   'Levels go into': 'LOD の保存先',
-  'Where the levels of --lods go: files (OUT_lod1 and so on), msft (into OUT by MSFT_lod), nodes (into OUT as nodes NAME_LOD0, NAME_LOD1 and so on, all of them shown where a viewer does not know the names).':
+  'Where the levels of --lods go: files (OUT_lod1 and so on), msft (into OUT by MSFT_lod), nodes (into OUT as nodes NAME_LOD0, NAME_LOD1 and so on, all shown at once by a viewer that does not know these names).':
     '--lods の各レベルの保存先です。files (OUT_lod1 など)、msft (MSFT_lod として OUT の中)、nodes (NAME_LOD0、NAME_LOD1 などのノードとして OUT の中。名前を解釈しないビューアーではすべて表示されます)。',
   'files of their own': '個別のファイル',
   'nodes NAME_LOD0, _LOD1 ...': 'ノード NAME_LOD0、_LOD1 ...',
