@@ -129,7 +129,7 @@ describe('limber batch', () => {
     const { code, stderr } = batch('--quiet');
     expect(code).toBe(1);
     expect(stderr.trim().split('\n')).toEqual([
-      'limber: =1+1.obj, line 1: "nothing" is not OBJ, and the file has no faces: is it a mesh?',
+      'limber: =1+1.obj, line 1: "nothing" is not OBJ, and the file has no faces: check that it is a mesh file.',
       'limber: bad.obj, line 1: z is nan, not a finite number.',
     ]);
     expect(totals()).toMatchObject({ assets: 4, done: 2, failed: 2 });

@@ -63,15 +63,13 @@ describe('a companion that is not at its path', () => {
 
   it('is not replaced by a file of that name from another folder', async () => {
     const files = moved(triangleAt('a/data.bin', 'wood.png'), 'b/data.bin');
-    expect(await failureOf(() => openModel(files))).toMatch(
-      /^test.gltf needs a\/data.bin, which is not there/,
-    );
+    expect(await failureOf(() => openModel(files))).toMatch(/^test.gltf needs a\/data.bin, which is missing/);
   });
 
   it('is not replaced by a file that another address refers to', async () => {
     const [main, data] = triangleAt('data.bin', 'a/data.bin');
     const model = await openModel([main, data]);
-    expect(model.notes.join()).toContain('texture (a/data.bin) is not there');
+    expect(model.notes.join()).toContain('texture (a/data.bin) is missing');
   });
 });
 
@@ -119,7 +117,7 @@ describe('the address of a companion', () => {
   it('outside of the folder is refused for a buffer, whatever files are given', async () => {
     const [main, data] = triangleAt('../data.bin', 'skin.png');
     expect(await failureOf(() => openModel([main, data]))).toBe(
-      'test.gltf names ../data.bin, which is outside of its folder and is not read: put the file beside it and name it without a path.',
+      'test.gltf refers to ../data.bin, which is outside its folder and is therefore not read: put the file beside it and refer to it without a path.',
     );
   });
 });
@@ -130,7 +128,7 @@ describe('a missing image', () => {
     async (uri) => {
       const model = await openModel(triangleAt('data.bin', uri));
       expect(model.notes).toEqual([
-        `1 texture (${uri}) is not there or outside of the folder: the result only names it`,
+        `1 texture (${uri}) is missing or outside the folder: the result only refers to it`,
       ]);
       const bytes = await exportGlb(model, [null], { fields: false });
       expect(jsonOf(bytes).images).toMatchObject([{ uri }]);
@@ -146,7 +144,7 @@ describe('a missing image', () => {
     json.images = Array.from({ length: 7 }, (_, i) => ({ uri: `${i}.png` }));
     const { notes } = await openModel([textFile('test.gltf', JSON.stringify(json)), data]);
     expect(notes).toEqual([
-      '7 textures (0.png, 1.png, 2.png, 3.png, 4.png and 2 more) are not there or outside of the folder: the result only names them',
+      '7 textures (0.png, 1.png, 2.png, 3.png, 4.png and 2 more) are missing or outside the folder: the result only refers to them',
     ]);
   });
 });
@@ -228,7 +226,7 @@ it('a texture without any image is left out with a note, also one that is transf
     expect(model.notes.at(-1)).toBe(note);
     expect((await validateGlb(await exportGlb(model, [null], { fields: false }))).errors).toBe(0);
   }
-  expect((await open([{ source: 0 }, {}])).notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is not there/);
+  expect((await open([{ source: 0 }, {}])).notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is missing/);
 });
 
 it('a texture whose image has neither file nor view is left out with a note', async () => {
@@ -246,7 +244,7 @@ it('a texture whose image has neither file nor view is left out with a note', as
     expect(used.notes.at(-1)).toBe('1 texture has no image that can be read: the result is without it');
     expect(await written(used)).toEqual({ errors: 0, images: undefined });
     const unused = await open({ materials, images: [image, { uri: 'wood.png' }], textures: [{ source: 1 }] });
-    expect(unused.notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is not there/);
+    expect(unused.notes.at(-1)).toMatch(/^1 texture \(wood\.png\) is missing/);
     expect(await written(unused)).toMatchObject({ images: [{ uri: 'wood.png' }] });
   }
   const webp = await open({

@@ -426,7 +426,7 @@ describe('a ZIP', () => {
     expect((await openModel([{ name: 'a.zip', bytes }])).bodies[0].indices).toHaveLength(6);
   });
 
-  it('is refused if a path leads out of it or it declares more than it can hold', async () => {
+  it('is refused if a path leads out of it or it declares more data than it can contain', async () => {
     const open = (name: string, bytes: Uint8Array): Promise<string> =>
       failureOf(() => openModel([{ name, bytes }]));
     for (const name of ['../x.obj', 'a/../../x.obj', '/etc/x.obj', 'C:x.obj', 'a\\..\\x.obj'])
@@ -437,7 +437,7 @@ describe('a ZIP', () => {
     const view = new DataView(bomb.buffer);
     for (let at = 0; at < bomb.length - 4; ++at)
       if (view.getUint32(at, true) === 0x02014b50) view.setUint32(at + 24, 0x7fffffff, true);
-    expect(await open('bomb.zip', bomb)).toMatch(/^bomb\.zip announces more than it can hold/);
+    expect(await open('bomb.zip', bomb)).toMatch(/^bomb\.zip declares more data than it can contain/);
     expect(await open('cut.zip', bomb.slice(0, 40))).toMatch(/^cut\.zip is damaged/);
     expect(await open('empty.zip', zipSync({ 'a/': text('') }))).toMatch(/no file in it|damaged/);
   });

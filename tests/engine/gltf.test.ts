@@ -120,7 +120,7 @@ describe('glTF', () => {
     expect(bodies[0].scale).toBeCloseTo(0.01, 7);
     expect(bodies[0].notes).toEqual([]);
     expect(bodies[1].scale).toBeCloseTo(Math.sqrt(7), 6);
-    expect(bodies[1].notes).toEqual(['its node scales it unevenly: frequencies take the mean scale']);
+    expect(bodies[1].notes).toEqual(['its node scales it non-uniformly: frequencies use the mean scale']);
   });
 
   it('uses the scale of the joints of a skinned mesh, whose node glTF ignores', async () => {
@@ -181,17 +181,17 @@ describe('glTF', () => {
     };
     expect(await notesAt(0)).toEqual([]);
     expect(await notesAt(0.5)).toEqual([
-      'default weights of morph targets: what is measured and moved has weights of 0',
+      'default weights of morph targets: measurements and motion use weights of 0',
     ]);
   });
 
   it('names the companion files that are missing', async () => {
     const [main, buffer] = separateGltf();
     expect(await failureOf(() => openModel([main]))).toBe(
-      'model/test.gltf needs parts/my%20data.bin, which is not there: open the whole folder, or put them beside it.',
+      'model/test.gltf needs parts/my%20data.bin, which is missing: open the whole folder, or put the missing files beside it.',
     );
     expect((await openModel([main, buffer])).notes).toEqual([
-      '1 texture (skin.png) is not there or outside of the folder: the result only names it',
+      '1 texture (skin.png) is missing or outside the folder: the result only refers to it',
     ]);
   });
 
@@ -233,23 +233,23 @@ describe('glTF', () => {
     const { bytes } = await glbFile(drawn(4, [0, 1, 2]));
     const glb = (part: Uint8Array) => failureOf(() => openModel([{ name: 'a.glb', bytes: part }]));
     expect(await glb(bytes.subarray(0, 10))).toBe(
-      'a.glb is not a usable GLB: it is cut off: export it again.',
+      'a.glb is not a usable GLB (it is cut off): export it again.',
     );
     expect(await glb(bytes.subarray(0, bytes.length - 4))).toMatch(
-      /^a\.glb is not a usable GLB: it is cut off: \d+ bytes/,
+      /^a\.glb is not a usable GLB \(it is cut off: \d+ bytes/,
     );
     expect(await glb(new TextEncoder().encode('a text that is longer than a header'))).toMatch(
       /does not start with "glTF"/,
     );
     const gltf = (json: string) => failureOf(() => openModel([textFile('a.gltf', json)]));
-    expect(await gltf('{"asset"')).toMatch(/^a\.gltf is not glTF: /);
-    expect(await gltf('[]')).toBe('a.gltf is not glTF: it has no "asset": is it a mesh?');
+    expect(await gltf('{"asset"')).toMatch(/^a\.gltf is not glTF \(/);
+    expect(await gltf('[]')).toBe('a.gltf is not glTF (it has no "asset"): check that it is a mesh file.');
     expect(await gltf('{"asset":{"version":"1.0"}}')).toBe(
       'a.gltf is glTF 1.0: convert it to glTF 2.0, as gltf-pipeline does.',
     );
     expect(
       await gltf('{"asset":{"version":"2.0"},"extensionsUsed":["A_b"],"extensionsRequired":["A_b"]}'),
-    ).toBe('a.gltf requires A_b, which cannot be read: export it without.');
+    ).toBe('a.gltf requires A_b, which cannot be read: export it without this extension.');
     expect(
       await gltf('{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":7}}]}]}'),
     ).toMatch(/^a\.gltf (has no triangles|is not a valid glTF file)/);
@@ -260,7 +260,7 @@ describe('glTF', () => {
     async (nodes) => {
       const json = JSON.stringify({ asset: { version: '2.0' }, nodes });
       expect(await failureOf(() => openModel([textFile('a.gltf', json)]))).toMatch(
-        /^a\.gltf is not a valid glTF file \(node \d is below itself\): export it again\.$/,
+        /^a\.gltf is not a valid glTF file \(node \d is its own descendant\): export it again\.$/,
       );
     },
   );

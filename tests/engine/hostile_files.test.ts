@@ -177,7 +177,7 @@ describe('a file that once took minutes', () => {
     );
     const text = `${vertices.join('\n')}\nf ${vertices.map((_, i) => i + 1).join(' ')}\n`;
     expect(await tryOpen([textFile('a.obj', text)])).toMatch(
-      /^a\.obj, line 100001: a face has 100,000 corners/,
+      /^a\.obj, line 100001: a face that is not convex has 100,000 corners/,
     );
   });
 

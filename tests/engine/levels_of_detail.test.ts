@@ -29,7 +29,8 @@ async function modelOf(...names: string[]) {
 }
 
 const settings = { ...defaultSettings(), method: 'qem', maxDeviation: 0 } as const;
-const NOTE = 'levels of detail: each keeps the same share of its faces, and what says when it is shown stays';
+const NOTE =
+  'levels of detail: each keeps the same share of its faces, and the settings for when it is shown stay unchanged';
 
 describe('levels of detail of a file', () => {
   it.each([

@@ -209,7 +209,7 @@ test('the warning of a further level with more faces than the result is recognis
 test('notes of the reader on a file are recognised by their form', () => {
   shown.value = { language: 'ja', table: JAPANESE };
   expect(sentence('1 animation: the rest pose is used')).toBe('アニメーション 1: 静止時の姿勢を使用');
-  expect(sentence('default weights of morph targets: what is measured and moved has weights of 0')).toBe(
+  expect(sentence('default weights of morph targets: measurements and motion use weights of 0')).toBe(
     'モーフターゲットの初期の重み: 測定と動きでは重みを 0 とします',
   );
   expect(sentence('2 skins and 1 animation: the rest pose is used')).toBe(

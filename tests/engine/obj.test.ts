@@ -120,7 +120,7 @@ describe('OBJ', () => {
     expect(notes).toEqual([
       '1 line or point skipped',
       '1 unknown line skipped, the first is line 5',
-      expect.stringMatching(/^a\.mtl is not there: put it beside the OBJ/),
+      expect.stringMatching(/^a\.mtl is missing: put it beside the OBJ/),
     ]);
   });
 
@@ -141,7 +141,10 @@ describe('OBJ', () => {
     [`${SQUARE_OBJ}f 1 2 three\n`, 'test.obj, line 7: the corner "three" is not a vertex number.'],
     [`${SQUARE_OBJ}f 1 2 3.5\n`, 'test.obj, line 7: the corner "3.5" is not a vertex number.'],
     ['v 0 0 0\n', 'test.obj has 1 vertex but no faces: export it as a mesh with faces.'],
-    ['Dear Sir,\nhow', 'test.obj, line 1: "Dear Sir," is not OBJ, and the file has no faces: is it a mesh?'],
+    [
+      'Dear Sir,\nhow',
+      'test.obj, line 1: "Dear Sir," is not OBJ, and the file has no faces: check that it is a mesh file.',
+    ],
   ])('refuses %j with one sentence', async (text, message) => {
     expect(await failure(text)).toBe(message);
   });

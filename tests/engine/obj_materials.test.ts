@@ -166,7 +166,9 @@ describe('a line of a library', () => {
     for (const lines of ['map_Pr r.png\nmap_Pm m.png', 'Pm 1\nmap_Pr r.png', 'map_Pm m.png']) {
       const model = await opened(lines, ...files);
       expect(materialsOf(model)[0].getMetallicRoughnessTexture()).toBeNull();
-      expect(model.notes.join()).toMatch(/roughness or metalness \(.*\) left out, glTF has both in one/);
+      expect(model.notes.join()).toMatch(
+        /roughness or metalness \(.*\) left out, because glTF stores both in one/,
+      );
     }
   });
 
@@ -182,7 +184,7 @@ describe('a line of a library', () => {
     const heights = await opened('bump -bm 0.2 bricks_height.png', picture('bricks_height.png'));
     expect(materialsOf(heights)[0].getNormalTexture()).toBeNull();
     expect(heights.notes).toEqual([
-      expect.stringMatching(/^1 bump map \(bricks_height\.png\) left out, glTF/),
+      expect.stringMatching(/^1 bump map \(bricks_height\.png\) left out, because glTF/),
     ]);
     const normals = await dressed('norm bricks.png\nbump b.png', picture('bricks.png'), picture('b.png'));
     expect(normals.getNormalTexture()!.getName()).toBe('bricks');
@@ -248,8 +250,8 @@ describe('the name of a picture', () => {
       picture('n.dds', new TextEncoder().encode('DDS ')),
     );
     expect(model.notes).toEqual([
-      '1 texture (none.png) left out, not there or outside of the folder: put the pictures beside the model',
-      '2 textures (glow.tga, n.dds) left out, neither PNG nor JPEG, which glTF takes: convert the pictures, and name the new ones in the material library',
+      '1 texture (none.png) left out, missing or outside the folder: put the pictures beside the model',
+      '2 textures (glow.tga, n.dds) left out, because glTF takes only PNG and JPEG: convert the pictures, and refer to the new ones in the material library',
     ]);
     expect(contentsOf(model)).toMatchObject({ materials: 1, textures: 0 });
     await glbOf(model);
@@ -355,18 +357,18 @@ describe('a library', () => {
 
   it('that is missing is reported with the cure and not as a loss of the output format, unless others define all materials', async () => {
     const alone = await openModel([square()]);
-    const cure = 'beside the OBJ for colours and textures of its materials';
-    expect([alone.unread, alone.notes]).toEqual([[], [`a.mtl is not there: put it ${cure}`]]);
+    const cure = 'beside the OBJ to get the colours and textures of its materials';
+    expect([alone.unread, alone.notes]).toEqual([[], [`a.mtl is missing: put it ${cure}`]]);
     const two = await openModel([square('m', 'mtllib a.mtl mats/b.mtl\n')]);
-    expect(two.notes).toEqual([`a.mtl, mats/b.mtl are not there: put them ${cure}`]);
+    expect(two.notes).toEqual([`a.mtl, mats/b.mtl are missing: put them ${cure}`]);
     const far = await openModel([square('m', 'mtllib ../a.mtl\n')]);
-    expect(far.notes).toEqual([`../a.mtl is not there or outside of its folder: put it ${cure}`]);
+    expect(far.notes).toEqual([`../a.mtl is missing or outside its folder: put it ${cure}`]);
     const other = await openModel([square('m', 'mtllib a.mtl b.mtl\n'), library('b.mtl', '1 0 0')]);
     expect([other.unread, other.notes]).toEqual([[], []]);
     const unknown = await openModel([square(), library('a.mtl', '1 0 0', 'other')]);
     expect([unknown.unread, unknown.notes]).toEqual([
       [],
-      ['1 material (m) plain, as no material library has it by name'],
+      ['1 material (m) plain, because no material library defines it'],
     ]);
   });
 

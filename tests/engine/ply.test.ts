@@ -146,7 +146,7 @@ element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 
     expect(await wrong('property double y', 'property decimal y')).toBe(
       'a.ply, line 6: "decimal" is not a PLY type.',
     );
-    expect(await wrong('ascii', 'text')).toMatch(/^a\.ply, line 2: the format "text" is none of ascii,/);
+    expect(await wrong('ascii', 'text')).toMatch(/^a\.ply, line 2: the format "text" is not one of ascii,/);
     expect(await wrong('end_header', 'end')).toBe('a.ply, line 14: "end" is not PLY.');
     expect(await wrong('2 2 0', '2 nan 0')).toMatch(/^a\.ply, line 17: .* not a finite number\.$/);
     expect(await failure(textFile('a.ply', header('ascii', 99999999, 1)).bytes)).toMatch(

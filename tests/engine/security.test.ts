@@ -106,7 +106,7 @@ describe('a Draco bomb', () => {
     ],
   ])('of %s is refused before it is decoded', async (_, stream) => {
     expect(await open(stream)).toMatch(
-      /^bomb\.gltf is not a valid glTF file \(the Draco data in buffer view 0 announces more/,
+      /^bomb\.gltf is not a valid glTF file \(the Draco data in buffer view 0 declares more/,
     );
   });
 

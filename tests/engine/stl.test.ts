@@ -54,9 +54,9 @@ describe('STL', () => {
   it('refuses truncated, broken or empty files with one sentence', async () => {
     const bytes = toBinaryStl(cube(), 'binary');
     expect(await failure({ name: 'a.stl', bytes: bytes.subarray(0, 400) })).toBe(
-      'a.stl is cut off or not STL: 684 bytes are announced, 400 are there: export it again.',
+      'a.stl is cut off or not STL (684 bytes expected, 400 found): export it again.',
     );
-    expect(await failure(textFile('a.stl', 'short'))).toBe('a.stl is not STL: is it a mesh?');
+    expect(await failure(textFile('a.stl', 'short'))).toBe('a.stl is not STL: check that it is a mesh file.');
     expect(await failure(textFile('a.stl', toTextStl(cube()).slice(0, 120)))).toMatch(/^a\.stl, line \d+: /);
     expect(await failure(textFile('a.stl', 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 zero 0'))).toBe(
       'a.stl, line 4: y is "zero", not a number.',

@@ -135,7 +135,7 @@ describe('in Node', () => {
         null,
         'inspect does not take "ratio", which is no option: see the README of the package.',
       ],
-      model: ['LimberError', null, 'model.glb is not a usable GLB: it is cut off: export it again.'],
+      model: ['LimberError', null, 'model.glb is not a usable GLB (it is cut off): export it again.'],
       before: 'stop before',
       running: 'stop at modes',
       waiting: ['stop waiting', true],

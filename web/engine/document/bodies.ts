@@ -51,7 +51,7 @@ export function bodiesOfDocument(
       continue;
     }
     const scaling = node ? scalingOf(node) : { scale: 1, isEven: true };
-    if (!scaling.isEven) bodyNotes.push('its node scales it unevenly: frequencies take the mean scale');
+    if (!scaling.isEven) bodyNotes.push('its node scales it non-uniformly: frequencies use the mean scale');
     const [positions, indices] = [gathering.positions.finish(), gathering.indices.finish()];
     const { spans } = gathering;
     bodies.push({
@@ -171,7 +171,7 @@ function cornersOf(primitive: Primitive, vertexCount: number, where: string): Ui
     );
   const mode: number = primitive.getMode();
   if (![TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN].includes(mode))
-    throw new Error(`${where}: its mode is none of 0 to 6: repair the mesh and export it again.`);
+    throw new Error(`${where}: its mode is not a number from 0 to 6: repair the mesh and export it again.`);
   if (mode === TRIANGLES) return Uint32Array.from(indices.subarray(0, indices.length - (indices.length % 3)));
   const triangles = new Uint32Array(3 * Math.max(0, indices.length - 2));
   for (let t = 0; t < triangles.length / 3; ++t)

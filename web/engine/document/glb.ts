@@ -18,7 +18,7 @@ export const isGlb = (bytes: Uint8Array): boolean => String.fromCharCode(...byte
 
 /** Views of the chunks. Throws an Error with one sentence where the file is cut off or of another version. */
 export function glbParts({ name, bytes }: SourceFile): GlbParts {
-  const broken = (problem: string) => new Error(`${name} is not a usable GLB: ${problem}: export it again.`);
+  const broken = (problem: string) => new Error(`${name} is not a usable GLB (${problem}): export it again.`);
   if (bytes.length < HEADER_BYTES) throw broken('it is cut off');
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const [magic, version, announced, jsonLength] = [0, 4, 8, 12].map((at) => view.getUint32(at, true));
@@ -28,7 +28,7 @@ export function glbParts({ name, bytes }: SourceFile): GlbParts {
   const binaryAt = HEADER_BYTES + jsonLength;
   if (view.getUint32(16, true) !== JSON_CHUNK) throw broken('its first chunk is not JSON');
   if (announced > bytes.length || binaryAt > bytes.length)
-    throw broken(`it is cut off: ${announced} bytes are announced, ${bytes.length} are there`);
+    throw broken(`it is cut off: ${announced} bytes expected, ${bytes.length} found`);
   const json = bytes.subarray(HEADER_BYTES, binaryAt);
   if (binaryAt + CHUNK_HEADER_BYTES > bytes.length) return { json, binary: null };
   const start = binaryAt + CHUNK_HEADER_BYTES;

@@ -87,9 +87,10 @@ export function parseJson(name: string, bytes: Uint8Array): GLTF.IGLTF {
   checkEncoding(name, bytes);
   const json = parseText(name, new TextDecoder().decode(bytes));
   if (typeof json !== 'object' || json === null)
-    throw new Error(`${name} is not glTF: it has no "asset": is it a mesh?`);
+    throw new Error(`${name} is not glTF (it has no "asset"): check that it is a mesh file.`);
   if (isFirstVersion(json)) throw new Error(describeFirstVersion(name));
-  if (!('asset' in json)) throw new Error(`${name} is not glTF: it has no "asset": is it a mesh?`);
+  if (!('asset' in json))
+    throw new Error(`${name} is not glTF (it has no "asset"): check that it is a mesh file.`);
   checkJson(name, json as GLTF.IGLTF);
   return json as GLTF.IGLTF;
 }
@@ -105,7 +106,9 @@ function checkJson(name: string, json: GLTF.IGLTF): void {
     (extension) => !SUPPORTED_EXTENSIONS.has(extension) && !canBeCarried(extension),
   );
   if (unknown.length > 0)
-    throw new Error(`${name} requires ${unknown.join(', ')}, which cannot be read: export it without.`);
+    throw new Error(
+      `${name} requires ${unknown.join(', ')}, which cannot be read: export it without this extension.`,
+    );
 }
 
 function parseText(name: string, text: string): unknown {
@@ -113,7 +116,7 @@ function parseText(name: string, text: string): unknown {
     return JSON.parse(text);
   } catch (error) {
     throw new Error(
-      `${name} is not glTF: its text is not JSON${describeJsonPosition(text, error)}: is it a mesh?`,
+      `${name} is not glTF (its text is not JSON${describeJsonPosition(text, error)}): check that it is a mesh file.`,
     );
   }
 }
@@ -149,7 +152,9 @@ function checkNodes(name: string, nodes: GLTF.INode[] = []): void {
   for (const start of parents.keys()) {
     const path = pathUp(start, parents, depths);
     if (path === null)
-      throw new Error(`${name} is not a valid glTF file (node ${start} is below itself): export it again.`);
+      throw new Error(
+        `${name} is not a valid glTF file (node ${start} is its own descendant): export it again.`,
+      );
     const top = parents.get(path[path.length - 1] ?? start);
     let depth = top === undefined ? -1 : depths.get(top)!;
     for (const node of path.reverse()) depths.set(node, ++depth);
@@ -200,7 +205,7 @@ function findShortened(json: GLTF.IGLTF, document: Document): string | null {
   const accessors = document.getRoot().listAccessors();
   for (const [i, { count }] of (json.accessors ?? []).entries()) {
     const found = accessors[i]?.getArray() ? accessors[i].getCount() : count;
-    if (found !== count) return `accessor ${i} announces ${count} elements, ${found} are there`;
+    if (found !== count) return `accessor ${i} declares ${count} elements but has data for ${found}`;
   }
   return null;
 }
@@ -217,6 +222,6 @@ function restPoseNotes(document: Document): string[] {
   );
   return [
     ...(moving.length > 0 ? [`${moving.join(' and ')}: the rest pose is used`] : []),
-    ...(isMorphed ? ['default weights of morph targets: what is measured and moved has weights of 0'] : []),
+    ...(isMorphed ? ['default weights of morph targets: measurements and motion use weights of 0'] : []),
   ];
 }

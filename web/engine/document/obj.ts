@@ -212,7 +212,7 @@ function checkReading(name: string, { positions, ahead, unknownLines }: Reading,
   if (objectCount > 0) return;
   if (unknownLines)
     throw new Error(
-      `${name}, line ${unknownLines.line}: "${excerpt(unknownLines.text)}" is not OBJ, and the file has no faces: is it a mesh?`,
+      `${name}, line ${unknownLines.line}: "${excerpt(unknownLines.text)}" is not OBJ, and the file has no faces: check that it is a mesh file.`,
     );
   const what = count > 0 ? `${counted(count, 'vertex', 'vertices')} but no faces` : 'no faces';
   throw new Error(`${name} has ${what}: export it as a mesh with faces.`);

@@ -65,7 +65,9 @@ function readKind(name: string, scan: TextScanner): OffKind {
   if (!found) {
     // The keyword may be left out; then the counts come first.
     if (!/^\d+$/.test(word))
-      throw new Error(`${name} is not OFF: it starts with "${excerpt(word)}": is it a mesh?`);
+      throw new Error(
+        `${name} is not OFF (it starts with "${excerpt(word)}"): check that it is a mesh file.`,
+      );
     scan.at = start;
     return { hasUvs: false, hasColours: false, hasNormals: false };
   }

@@ -94,13 +94,13 @@ function checkElement(source: ValueSource, element: PlyElement): void {
   const missing = ['x', 'y', 'z'].find((axis) => properties.every((property) => property.name !== axis));
   if (name === 'vertex' && missing) source.fail(`vertices have no ${missing}: export it again`);
   const single = properties.find((property) => isCorners(element, property) && !property.countType);
-  if (single) source.fail(`"${single.name}" of faces is no list: export it again`);
+  if (single) source.fail(`"${single.name}" of faces is not a list: export it again`);
 }
 
 /** Refuses counts that the file is too short for, at one byte a value, so that a wrong count cannot ask for endless memory or time. */
 function checkCount(source: ValueSource, { name, count, properties }: PlyElement, bytes: number): void {
   if (count * Math.max(1, properties.length) > bytes)
-    source.fail(`${count} of "${excerpt(name)}" do not fit into the file: export it again`);
+    source.fail(`${count} entries of "${excerpt(name)}" do not fit into the file: export it again`);
 }
 
 function unreadOf({ elements }: PlyHeader): string[] {

@@ -74,7 +74,7 @@ export function readPlyHeader(file: SourceFile): PlyHeader {
 function readEncoding(scan: TextScanner): PlyHeader['encoding'] {
   const word = scan.word();
   if (Object.hasOwn(ENCODINGS, word)) return ENCODINGS[word];
-  return scan.fail(`the format "${excerpt(word)}" is none of ${Object.keys(ENCODINGS).join(', ')}`);
+  return scan.fail(`the format "${excerpt(word)}" is not one of ${Object.keys(ENCODINGS).join(', ')}`);
 }
 
 function readElement(scan: TextScanner): PlyElement {
@@ -85,7 +85,7 @@ function readElement(scan: TextScanner): PlyElement {
 }
 
 function readProperty(scan: TextScanner, elements: PlyElement[]): void {
-  const element = elements[elements.length - 1] ?? scan.fail('a property stands before any element');
+  const element = elements[elements.length - 1] ?? scan.fail('a property comes before any element');
   const word = scan.word();
   if (word !== 'list') {
     element.properties.push({ type: typeNamed(scan, word), name: scan.word() });

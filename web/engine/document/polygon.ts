@@ -52,7 +52,7 @@ export function trianglesOfPolygon(polygon: number[], positions: Float32Array): 
 
 /** Why a polygon could not be triangulated, as a clause. */
 export const describeTooLarge = (corners: number): string =>
-  `a face has ${grouped(corners)} corners and is not convex, of such at most ${grouped(MOST_CORNERS)} can be cut into triangles: triangulate it before the export`;
+  `a face that is not convex has ${grouped(corners)} corners, more than the ${grouped(MOST_CORNERS)} that can be triangulated: triangulate it before the export`;
 
 function fan(corners: number[], start: number): number[] {
   const count = corners.length;

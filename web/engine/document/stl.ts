@@ -31,11 +31,11 @@ function binaryLength(bytes: Uint8Array): number {
 }
 
 function readBinary({ name, bytes }: SourceFile): { positions: Float32Array; solids: number } {
-  if (bytes.length < HEADER_BYTES) throw new Error(`${name} is not STL: is it a mesh?`);
+  if (bytes.length < HEADER_BYTES) throw new Error(`${name} is not STL: check that it is a mesh file.`);
   const expected = binaryLength(bytes);
   if (bytes.length < expected)
     throw new Error(
-      `${name} is cut off or not STL: ${expected} bytes are announced, ${bytes.length} are there: export it again.`,
+      `${name} is cut off or not STL (${expected} bytes expected, ${bytes.length} found): export it again.`,
     );
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const facets = view.getUint32(80, true);
@@ -64,7 +64,7 @@ function readText({ name, bytes }: SourceFile): { positions: Float32Array; solid
       scan.nextLine(); // its name
     } else if (word === 'facet') readFacet(scan, positions);
     else if (word === 'endsolid') scan.nextLine();
-    else scan.fail(`"${excerpt(word)}" stands where a facet was expected`);
+    else scan.fail(`"${excerpt(word)}" found where a facet was expected`);
   }
   return { positions: positions.finish(), solids };
 }
@@ -89,6 +89,6 @@ function expectWord(scan: TextScanner, expected: string): void {
   scan.seekWordAnywhere();
   const word = scan.word();
   if (word.toLowerCase() === expected) return;
-  const found = word === '' ? 'the file ends' : `"${excerpt(word)}" stands`;
+  const found = word === '' ? 'the file ends' : `"${excerpt(word)}" found`;
   scan.fail(`${found} where "${expected}" was expected`);
 }

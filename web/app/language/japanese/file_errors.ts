@@ -22,7 +22,7 @@ export const FILE_ERRORS: MessageTable = {
   // web/engine/document/checks/other_formats.ts
   '{name} is {what}: {way}, then open that.': '{name} は{what}です。{way}、それを開いてください。',
   'a Blender file': ' Blender のファイル',
-  'a format that is not read here': '読み込めない形式',
+  'in a format that Limber cannot read': '読み込めない形式',
   'a USD file': ' USD のファイル',
   'a 3ds Max file': ' 3ds Max のファイル',
   'a Maya scene': ' Maya のシーン',
@@ -30,7 +30,7 @@ export const FILE_ERRORS: MessageTable = {
   'a SketchUp file': ' SketchUp のファイル',
   'a ZBrush file': ' ZBrush のファイル',
   'a Houdini file': ' Houdini のファイル',
-  'a CAD file, which has surfaces and no mesh': 'メッシュではなく曲面を持つ CAD のファイル',
+  'a CAD file, which has curved surfaces instead of a mesh': 'メッシュではなく曲面を持つ CAD のファイル',
   'an archive': '圧縮ファイル',
   'empty or damaged': '空であるか壊れているファイル',
   'in Blender choose File > Export > glTF 2.0 (.glb)':
@@ -54,17 +54,17 @@ export const FILE_ERRORS: MessageTable = {
   'unpack it, or pack what is inside as ZIP': '展開するか、中身を ZIP にまとめ',
   'pack the files again': 'ファイルをもう一度まとめ',
   // web/engine/document/gltf.ts and checks
-  '{name} is not glTF: it has no "asset": is it a mesh?':
+  '{name} is not glTF (it has no "asset"): check that it is a mesh file.':
     '{name} は glTF ではありません ("asset" がありません)。メッシュのファイルか確認してください。',
-  '{name} is not glTF: its text is not JSON: is it a mesh?':
+  '{name} is not glTF (its text is not JSON): check that it is a mesh file.':
     '{name} は glTF ではありません (JSON 形式ではありません)。メッシュのファイルか確認してください。',
-  '{name} is not glTF: its text is not JSON, from line {line}, column {count}: is it a mesh?':
+  '{name} is not glTF (its text is not JSON, from line {line}, column {count}): check that it is a mesh file.':
     '{name} は glTF ではありません ({line} 行 {count} 文字目から JSON 形式ではありません)。メッシュのファイルか確認してください。',
   '{name} is glTF {version}: convert it to glTF 2.0.':
     '{name} は glTF {version} です。glTF 2.0 に変換してください。',
   '{name} is glTF 1.0: convert it to glTF 2.0, as gltf-pipeline does.':
     '{name} は glTF 1.0 です。gltf-pipeline などで glTF 2.0 に変換してください。',
-  '{name} is not a usable GLB: {problem}: export it again.':
+  '{name} is not a usable GLB ({problem}): export it again.':
     '{name} は使える GLB ではありません ({problem})。もう一度書き出してください。',
   'it does not start with "glTF"': '先頭が "glTF" ではありません',
   'it is cut off': '途中で切れています',
@@ -73,13 +73,13 @@ export const FILE_ERRORS: MessageTable = {
     '{name} は正しい glTF ではありません ({problem})。もう一度書き出してください。',
   '{name} is not a valid glTF file ({problem}): check it with the glTF validator.':
     '{name} は正しい glTF ではありません ({problem})。glTF validator で確認してください。',
-  '{name} requires {extensions}, which cannot be read: export it without.':
+  '{name} requires {extensions}, which cannot be read: export it without this extension.':
     '{name} には読み込めない {extensions} が必要です。これを使わずに書き出してください。',
-  '{name} needs {files}, which is not there: open the whole folder, or put them beside it.':
+  '{name} needs {files}, which is missing: open the whole folder, or put the missing files beside it.':
     '{name} に必要な {files} がありません。フォルダーごと開くか、同じ場所に置いてください。',
-  '{name} needs {files}, which are not there: open the whole folder, or put them beside it.':
+  '{name} needs {files}, which are missing: open the whole folder, or put the missing files beside it.':
     '{name} に必要な {files} がありません。フォルダーごと開くか、同じ場所に置いてください。',
-  '{name} names {path}, which is outside of its folder and is not read: put the file beside it and name it without a path.':
+  '{name} refers to {path}, which is outside its folder and is therefore not read: put the file beside it and refer to it without a path.':
     '{name} が参照する {path} はフォルダーの外にあるため読み込みません。同じ場所に置き、パスなしで参照してください。',
   '{name} has nodes more than {count} levels deep: flatten it and export it again.':
     '{name} のノードの階層が {count} を超えています。階層を減らして書き出し直してください。',
@@ -92,18 +92,19 @@ export const FILE_ERRORS: MessageTable = {
     '{name} には頂点 {count} 個がありますが、面がありません。面のあるメッシュとして書き出してください。',
   '{name} has {count} vertices but no faces: export it as a mesh with faces.':
     '{name} には頂点 {count} 個がありますが、面がありません。面のあるメッシュとして書き出してください。',
-  '{name} is not STL: is it a mesh?': '{name} は STL ではありません。メッシュのファイルか確認してください。',
-  '{name} is not OFF: it starts with "{start}": is it a mesh?':
+  '{name} is not STL: check that it is a mesh file.':
+    '{name} は STL ではありません。メッシュのファイルか確認してください。',
+  '{name} is not OFF (it starts with "{start}"): check that it is a mesh file.':
     '{name} は OFF ではありません (先頭が "{start}")。メッシュのファイルか確認してください。',
   '{name} is binary OFF, which cannot be read: export it as text.':
     '{name} は読み込めないバイナリの OFF です。テキストで書き出してください。',
   '{name} is text in UTF-16 or UTF-32: save it as UTF-8.':
     '{name} は UTF-16 か UTF-32 のテキストです。UTF-8 で保存してください。',
-  '{name} is cut off or not STL: {expected} bytes are announced, {count} are there: export it again.':
+  '{name} is cut off or not STL ({expected} bytes expected, {count} found): export it again.':
     '{name} は途中で切れているか、STL ではありません ({expected} バイトのはずが {count} バイト)。もう一度書き出してください。',
   '{name}, line {line}: a face names vertex {vertex}, but the file has {count}: export it again.':
     '{name} の {line} 行目: 面が頂点 {vertex} を参照していますが、頂点は {count} 個です。もう一度書き出してください。',
-  '{name}, line {line}: "{text}" is not OBJ, and the file has no faces: is it a mesh?':
+  '{name}, line {line}: "{text}" is not OBJ, and the file has no faces: check that it is a mesh file.':
     '{name} の {line} 行目: "{text}" は OBJ ではなく、面もありません。メッシュのファイルか確認してください。',
   'vertices have no {axis}: export it again': '頂点に {axis} がありません。もう一度書き出してください',
   '{name}, line {line}: {problem}.': '{name} の {line} 行目: {problem}。',
@@ -122,9 +123,9 @@ export const FILE_ERRORS: MessageTable = {
   // web/engine/document/zip
   '{name} has no file in it: pack the model with its files.':
     '{name} にファイルがありません。モデルと関連ファイルをまとめてください。',
-  '{name} is damaged or encrypted, or packed in another way than deflate: pack it again.':
+  '{name} is damaged, encrypted or compressed by another method than deflate: pack it again.':
     '{name} は壊れているか、暗号化されているか、deflate 以外で圧縮されています。もう一度まとめてください。',
-  '{name} has a file that leads out of its folder ({file}): pack it again without.':
+  '{name} has a file that leads out of its folder ({file}): pack it again without that file.':
     '{name} にフォルダーの外を指すファイル ({file}) があります。それを除いてまとめ直してください。',
   '{name} unpacks to more than 2 GB: split it into several files.':
     '{name} は展開すると 2 GB を超えます。複数のファイルに分けてください。',

@@ -21,13 +21,15 @@ export function readZip({ name, bytes }: SourceFile): SourceFile[] {
   const entries = readEntries(name, bytes, (entry) => {
     if (ESCAPING.test(entry.name))
       throw new Error(
-        `${name} has a file that leads out of its folder (${excerptOf(entry.name)}): pack it again without.`,
+        `${name} has a file that leads out of its folder (${excerptOf(entry.name)}): pack it again without that file.`,
       );
     if (IGNORED.test(entry.name)) return false;
     packed += entry.size;
     unpacked += entry.originalSize;
     if (packed > bytes.length || entry.originalSize > MOST_PER_BYTE * entry.size + 1024)
-      throw new Error(`${name} announces more than it can hold (${excerptOf(entry.name)}): pack it again.`);
+      throw new Error(
+        `${name} declares more data than it can contain (${excerptOf(entry.name)}): pack it again.`,
+      );
     if (unpacked > MOST_BYTES)
       throw new Error(`${name} unpacks to more than 2 GB: split it into several files.`);
     return true;
@@ -58,7 +60,9 @@ function readEntries(
   } catch (error) {
     // Errors of the library have a code.
     if (error instanceof Error && !('code' in error) && error.constructor === Error) throw error;
-    throw new Error(`${name} is damaged or encrypted, or packed in another way than deflate: pack it again.`);
+    throw new Error(
+      `${name} is damaged, encrypted or compressed by another method than deflate: pack it again.`,
+    );
   }
 }
 

@@ -28,12 +28,12 @@ export function addCompanions(
   const escaping = buffers.find((address) => companionPath(main.name, address) === null);
   if (escaping !== undefined)
     throw new Error(
-      `${main.name} names ${excerpt(escaping)}, which is outside of its folder and is not read: put the file beside it and name it without a path.`,
+      `${main.name} refers to ${excerpt(escaping)}, which is outside its folder and is therefore not read: put the file beside it and refer to it without a path.`,
     );
   if (buffers.length === 0) return images;
   const verb = buffers.length === 1 ? 'is' : 'are';
   throw new Error(
-    `${main.name} needs ${listed(buffers)}, which ${verb} not there: open the whole folder, or put them beside it.`,
+    `${main.name} needs ${listed(buffers)}, which ${verb} missing: open the whole folder, or put the missing files beside it.`,
   );
 }
 
@@ -42,7 +42,7 @@ export function describeMissing(images: string[]): string[] {
   if (images.length === 0) return [];
   const verb = images.length === 1 ? 'is' : 'are';
   return [
-    `${counted(images.length, 'texture')} (${listed(images)}) ${verb} not there or outside of the folder: the result only names ${images.length === 1 ? 'it' : 'them'}`,
+    `${counted(images.length, 'texture')} (${listed(images)}) ${verb} missing or outside the folder: the result only refers to ${images.length === 1 ? 'it' : 'them'}`,
   ];
 }
 

@@ -21,12 +21,12 @@ export function checkDraco({ json, resources }: JSONDocument, most: number): voi
     const view = json.bufferViews?.[number];
     const definition = json.buffers?.[view?.buffer ?? -1];
     if (!view || !definition)
-      throw new Error(`Draco data is in buffer view ${quotedJson(number)}, which is not there`);
+      throw new Error(`Draco data is in buffer view ${quotedJson(number)}, which does not exist`);
     const bytes = resources[definition.uri ?? '@glb.bin'] ?? bytesOfAddress(definition.uri ?? '');
     const { byteOffset: start = 0, byteLength } = view;
     announced += announcedCount(bytes.subarray(start, start + byteLength));
     if (announced > most)
-      throw new Error(`the Draco data in buffer view ${number} announces more than it can hold`);
+      throw new Error(`the Draco data in buffer view ${number} declares more than it can contain`);
   }
 }
 
@@ -44,11 +44,11 @@ function dracoViews({ meshes }: GLTF.IGLTF): Set<number> {
 /** The bytes of a data URI in base64. */
 function bytesOfAddress(uri: string): Uint8Array {
   const [, text] = /^data:[^,]*;base64,(.*)$/is.exec(uri) ?? [];
-  if (text === undefined) throw new Error('Draco data is in a buffer that is not there');
+  if (text === undefined) throw new Error('Draco data is in a buffer that does not exist');
   try {
     return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   } catch {
-    throw new Error('Draco data is in an address that is not base64');
+    throw new Error('Draco data is in a data URI that is not base64');
   }
 }
 
@@ -82,7 +82,7 @@ function skipMetadata(reader: Reader): void {
 }
 
 function skipElement(reader: Reader, depth: number): void {
-  if (depth > DEEPEST) throw new Error('the metadata of its Draco data lies too deep');
+  if (depth > DEEPEST) throw new Error('the metadata of its Draco data is nested too deeply');
   for (let left = reader.varint(); left > 0 && !reader.isAtEnd; --left) {
     reader.skip(reader.byte());
     reader.skip(reader.varint());

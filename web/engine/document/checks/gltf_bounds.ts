@@ -77,7 +77,7 @@ export function checkBounds(checked: JSONDocument, size: number): void {
     checkAccessor(checked, accessor, number);
     if (without > mostElements(size))
       throw new Error(
-        `accessor ${number} announces ${accessor.count} elements, which the file has no data for`,
+        `accessor ${number} declares ${accessor.count} elements, for which the file has no data`,
       );
     if (withData > mostElements(size))
       throw new Error(`accessor ${number} and those before it read the same data over and over`);
@@ -110,7 +110,7 @@ export function findWrongList(json: GLTF.IGLTF): string | null {
 function elementBytes({ componentType, type, count }: GLTF.IAccessor, number: number): number {
   const [bytes, components] = [COMPONENT_BYTES[componentType], COMPONENTS[type]];
   if (!bytes || !components) throw new Error(`accessor ${number} has an unknown type`);
-  if (!isCount(count)) throw new Error(`accessor ${number} has no count`);
+  if (!isCount(count)) throw new Error(`accessor ${number} has no valid count`);
   return bytes * components;
 }
 
@@ -142,14 +142,15 @@ function checkRange(
   { bufferView, byteOffset = 0, count, size }: Range,
 ): void {
   const view = checked.json.bufferViews?.[bufferView];
-  if (!view) throw new Error(`accessor ${number} names a buffer view that is not there`);
-  if (!isCount(byteOffset)) throw new Error(`accessor ${number} starts nowhere`);
+  if (!view) throw new Error(`accessor ${number} refers to a buffer view that does not exist`);
+  if (!isCount(byteOffset)) throw new Error(`accessor ${number} has an invalid byte offset`);
   const { start, end } = rangeOf(checked, view, bufferView);
   const stride = view.byteStride ?? size;
-  if (!isCount(stride) || stride === 0) throw new Error(`buffer view ${bufferView} has no usable stride`);
+  if (!isCount(stride) || stride === 0) throw new Error(`buffer view ${bufferView} has an invalid stride`);
   const available = end - start - byteOffset;
   const there = available < size ? 0 : Math.floor((available - size) / stride) + 1;
-  if (there < count) throw new Error(`accessor ${number} announces ${count} elements, ${there} are there`);
+  if (there < count)
+    throw new Error(`accessor ${number} declares ${count} elements but has data for ${there}`);
 }
 
 /** Where the view starts in its buffer, and where the buffer ends. */
@@ -157,14 +158,14 @@ function rangeOf(checked: Checked, view: GLTF.IBufferView, number: number): { st
   const packed = view.extensions?.[MESHOPT] as MeshoptView | undefined;
   if (packed) return { start: 0, end: unpackedBytes(checked, packed, number) };
   const { byteOffset: start = 0 } = view;
-  if (!isCount(start)) throw new Error(`buffer view ${number} starts nowhere`);
+  if (!isCount(start)) throw new Error(`buffer view ${number} has an invalid byte offset`);
   return { start, end: bufferBytes(checked, view.buffer, number) };
 }
 
 /** The number of bytes that a buffer really has. */
 function bufferBytes({ json, resources }: Checked, buffer: number, view: number): number {
   const definition = json.buffers?.[buffer];
-  if (!definition) throw new Error(`buffer view ${view} names a buffer that is not there`);
+  if (!definition) throw new Error(`buffer view ${view} refers to a buffer that does not exist`);
   const { uri } = definition;
   const bytes = resources[uri ?? GLB_BUFFER];
   if (bytes) return bytes.byteLength;
@@ -186,6 +187,7 @@ function unpackedBytes(checked: Checked, packed: MeshoptView, number: number): n
     [byteOffset, byteLength, byteStride, count].every(isCount) &&
     count * byteStride <= MESHOPT_PER_BYTE * byteLength &&
     byteOffset + byteLength <= bufferBytes(checked, buffer, number);
-  if (!isPlausible) throw new Error(`buffer view ${number} announces more than its compressed data can hold`);
+  if (!isPlausible)
+    throw new Error(`buffer view ${number} declares more data than its compressed bytes can contain`);
   return count * byteStride;
 }

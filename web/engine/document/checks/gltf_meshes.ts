@@ -8,11 +8,11 @@ export function findWrongMesh({ accessors = [], meshes = [] }: GLTF.IGLTF): stri
     for (const primitive of Array.isArray(primitives) ? primitives : []) {
       const { indices, attributes } = primitive ?? {};
       if (indices !== undefined && !accessors[indices])
-        return `mesh ${number} names corners that are not there`;
+        return `mesh ${number} refers to indices that do not exist`;
       const position: unknown = attributes?.POSITION;
       if (position === undefined) continue;
       const accessor = accessors[position as number];
-      if (!accessor) return `mesh ${number} names positions that are not there`;
+      if (!accessor) return `mesh ${number} refers to positions that do not exist`;
       if (accessor.type !== 'VEC3') return `the positions of mesh ${number} are not of the type VEC3`;
     }
   return null;

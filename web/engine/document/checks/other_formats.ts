@@ -16,7 +16,7 @@ const OTHERS: readonly OtherFormat[] = [
   },
   {
     endings: ['fbx', 'dae', 'abc'],
-    what: 'a format that is not read here',
+    what: 'in a format that Limber cannot read',
     conversion: 'import it in Blender and choose File > Export > glTF 2.0 (.glb)',
   },
   {
@@ -49,12 +49,12 @@ const OTHERS: readonly OtherFormat[] = [
   },
   {
     endings: ['step', 'stp', 'iges', 'igs', '3dm', 'sldprt', 'f3d'],
-    what: 'a CAD file, which has surfaces and no mesh',
+    what: 'a CAD file, which has curved surfaces instead of a mesh',
     conversion: 'export it from the CAD program as STL or OBJ',
   },
   {
     endings: ['vrm', 'b3dm', 'vtk', 'vtu', 'x', 'x3d', 'wrl', '3mf'],
-    what: 'a format that is not read here',
+    what: 'in a format that Limber cannot read',
     conversion: 'convert it to GLB, OBJ, STL or PLY, in Blender or MeshLab',
   },
   {

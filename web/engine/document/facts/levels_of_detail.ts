@@ -5,7 +5,8 @@ import type { OpenModel } from '../model';
 
 const NUMBERED = /^(.*)[_-]LOD(\d+)$/i;
 
-const NOTE = 'levels of detail: each keeps the same share of its faces, and what says when it is shown stays';
+const NOTE =
+  'levels of detail: each keeps the same share of its faces, and the settings for when it is shown stay unchanged';
 
 /** The model, with `hasLevels` and a note where meshes of its file are levels of detail of others. */
 export function withKnownLevels(model: OpenModel): OpenModel {

@@ -20,37 +20,37 @@ const KINDS = {
   missing: {
     one: 'texture',
     several: 'textures',
-    fate: 'left out, not there or outside of the folder: put the pictures beside the model',
+    fate: 'left out, missing or outside the folder: put the pictures beside the model',
   },
   format: {
     one: 'texture',
     several: 'textures',
-    fate: 'left out, neither PNG nor JPEG, which glTF takes: convert the pictures, and name the new ones in the material library',
+    fate: 'left out, because glTF takes only PNG and JPEG: convert the pictures, and refer to the new ones in the material library',
   },
   heights: {
     one: 'bump map',
     several: 'bump maps',
-    fate: 'left out, glTF has normals in place of heights: bake a normal map and name it by norm',
+    fate: 'left out, because glTF uses normals instead of heights: bake a normal map and refer to it by norm',
   },
   opacity: {
     one: 'map of opacity',
     several: 'maps of opacity',
-    fate: 'left out, glTF has opacity in the picture of the colour: put it into the alpha channel of a PNG, and name that by map_Kd and map_d',
+    fate: 'left out, because glTF stores opacity in the colour picture: put it into the alpha channel of a PNG, and refer to that by map_Kd and map_d',
   },
   metal: {
     one: 'map of roughness or metalness',
     several: 'maps of roughness or metalness',
-    fate: 'left out, glTF has both in one picture: put roughness into its green and metalness into its blue channel, and name it by map_Pr and map_Pm',
+    fate: 'left out, because glTF stores both in one picture: put roughness into its green and metalness into its blue channel, and refer to it by map_Pr and map_Pm',
   },
   undefined: {
     one: 'material',
     several: 'materials',
-    fate: 'plain, as no material library has it by name',
+    fate: 'plain, because no material library defines it',
   },
   library: {
     one: 'material library',
     several: 'material libraries',
-    fate: 'left out, not text in UTF-8, or more than 8 MB: save it as UTF-8, or part it',
+    fate: 'left out, not text in UTF-8, or more than 8 MB: save it as UTF-8, or split it',
   },
 } as const satisfies Record<string, Kind>;
 
@@ -81,10 +81,8 @@ const describe = ({ one, several, fate }: Kind, names: string[]): string =>
 
 function describeMissing(names: string[]): string {
   const [are, them] = names.length === 1 ? ['is', 'it'] : ['are', 'them'];
-  const where = names.some((name) => ELSEWHERE.test(name))
-    ? 'not there or outside of its folder'
-    : 'not there';
-  return `${listed(names)} ${are} ${where}: put ${them} beside the OBJ for colours and textures of its materials`;
+  const where = names.some((name) => ELSEWHERE.test(name)) ? 'missing or outside its folder' : 'missing';
+  return `${listed(names)} ${are} ${where}: put ${them} beside the OBJ to get the colours and textures of its materials`;
 }
 
 function listed(names: string[]): string {
