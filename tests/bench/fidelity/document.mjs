@@ -42,7 +42,7 @@ function sectionsOf(cases, ratios, attributes) {
   const others = ratios.filter((ratio) => ratio !== 0.25);
   return [
     '### Against the targets',
-    'Means are over the meshes on which both methods reached the count; meshes below name what falls short.',
+    'Means are over the meshes on which both methods reached the count; the meshes that miss a target are named.',
     targetTable(cases),
     '### At 25 % of the faces',
     '![Mean frequency error of every mesh by every method](images/simplification/frequencies.svg)',
@@ -60,9 +60,9 @@ function sectionsOf(cases, ratios, attributes) {
       meshTable(cases, ratio, FREQUENCIES),
     ]),
     '### Texture coordinates',
-    'Our methods alone, on textured files through the whole product: at every vertex of the original, how far the texture of the result is from its own, as a length on the surface in % of the diagonal. Where a seam has moved past a vertex, the vertex counts in the last column and not in the mean.',
+    'Only our methods, on textured files and with the whole pipeline: at every vertex of the original, the distance between the texture of the result and that of the original, as a length on the surface in % of the diagonal. If a seam has moved past a vertex, the vertex counts in the last column and not in the mean.',
     attributeTable(attributes),
-    ...(found.length ? ['### Results that are not what was asked', found.join('\n')] : []),
+    ...(found.length ? ['### Results that miss the count or change the topology', found.join('\n')] : []),
   ];
 }
 

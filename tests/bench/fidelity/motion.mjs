@@ -20,7 +20,7 @@ export const SOLVER = 'the original, half the substeps';
 
 /**
  * { mesh, method, sway, twist, drape } for every mesh and method: the mean deviation, or null if the motion diverged. A
- * method that accepts pins has a second row, `NAME, told`, with its results for each motion's pins.
+ * method that accepts pins has a second row, `NAME, with pins`, with its results for each motion's pins.
  */
 export function runMotions(loaded, { meshes, methods }) {
   mkdirSync(join(scratch, 'motion'), { recursive: true });
@@ -49,7 +49,7 @@ function bodiesOf(loaded, mesh, methods, pinned) {
     [SOLVER, mesh.prepared.mesh, SUBSTEPS / 2],
     ...methods.map((method) => [method.name, meshOf(method), SUBSTEPS]),
     ...told.map((method) => [
-      `${method.name}, told`,
+      `${method.name}, with pins`,
       meshOf(pinned.length === 0 ? method : toldOf(method, pinned)),
       SUBSTEPS,
     ]),
@@ -58,7 +58,12 @@ function bodiesOf(loaded, mesh, methods, pinned) {
 
 function toldOf(method, pinned) {
   const run = (mesh, faces) => method.run(mesh, faces, pinned);
-  return { ...method, name: `${method.name}, told`, version: `${method.version} ${hashOf(pinned)}`, run };
+  return {
+    ...method,
+    name: `${method.name}, with pins`,
+    version: `${method.version} ${hashOf(pinned)}`,
+    run,
+  };
 }
 
 /** [name, mean deviation in % of the diagonal, or null] for every body. */

@@ -52,7 +52,7 @@ export async function writeMotions(motions) {
   const content = [
     BEGIN,
     `Written by \`node tests/bench/fidelity/evaluate.mjs --motion --meshes ${meshes} --write\`.`,
-    `Mean distance of 1,000 points of the surface from where the original takes them, over all steps of ${SECONDS} s, in % of the diagonal, at 25 % of the faces. Shell, ${SUBSTEPS} substeps. "Told": the simplifier knew what would be pinned (ours by \`--pins\`, meshoptimizer by locking the outline of the pinned part); \`drape\` pins nothing. The first line is what the solver itself is off by.`,
+    `Mean distance of 1,000 points of the surface from their positions on the original, over all steps of ${SECONDS} s, in % of the diagonal, at 25 % of the faces. Shell, ${SUBSTEPS} substeps. "With pins": the simplifier was given the pins (ours by \`--pins\`, meshoptimizer by locking the outline of the pinned part); \`drape\` pins nothing. The first row is the error of the solver itself.`,
     motionTable(motions),
     'Each mesh and motion:',
     meshTable(motions),

@@ -71,8 +71,8 @@ export function remarks(cases) {
     const { mesh, method, ratio, topologyKept, failure } = one;
     return [
       ...(topologyKept ? [] : [[method, 'changed the topology', mesh, ratio]]),
-      ...(reachedCount(one) ? [] : [[method, 'stopped above the count', mesh, ratio]]),
-      ...(failure ? [[method, 'left what no shell can be solved on', mesh, ratio]] : []),
+      ...(reachedCount(one) ? [] : [[method, 'stopped above the requested count', mesh, ratio]]),
+      ...(failure ? [[method, 'left a mesh on which no shell can be solved', mesh, ratio]] : []),
     ];
   });
   return unique(lines.map(([method, what]) => `${method} ${what}`)).map((title) => {

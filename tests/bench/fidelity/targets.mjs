@@ -106,7 +106,7 @@ export const TARGETS = [
     (cases) => medianRatio(cases, ['qem', 'pymeshlab'], 'meanDistance', 1.05),
   ],
   [
-    'Smallest angle: at least 8 degrees wherever the input has as much',
+    'Smallest angle: at least 8 degrees on every mesh whose input has as much',
     (cases) => {
       const allowing = cases.filter(({ inputMinAngle }) => inputMinAngle >= 8);
       return atLeast(allowing, 'minAngle', 8, ANY_KIND);
