@@ -90,7 +90,7 @@ def means_in(document):
         if title == FREQUENCIES or not means:
             continue
         pairs = [(method, *map(float, cell.split(" -> "))) for method, cell in zip(header, means) if " -> " in cell]
-        ratios = re.findall(r"over the best peer [^:]*: (\d+\.\d+)", section)[:2]
+        ratios = re.findall(r"by the best peer [^:]*: (\d+\.\d+)", section)[:2]
         found.append((title, int(means[0].split()[-1]), pairs, [float(ratio) for ratio in ratios]))
     return found
 
@@ -175,8 +175,8 @@ def best_peer_note(gathered, methods):
     for ours in [method for method in methods if method in OURS]:
         against = geometric(gathered[ours, "tuned"]) / geometric(gathered[best, "untouched"])
         alike = geometric(gathered[ours, "tuned"]) / geometric(gathered[least, "tuned"])
-        lines.append(f"`{ours}` tuned over the best peer untouched ({best}): {against:.2f}; over the best peer tuned "
-                     f"alike ({least}): {alike:.2f}.")
+        lines.append(f"`{ours}` tuned, divided by the best peer untouched ({best}): {against:.2f}; by the best peer tuned in the "
+                     f"same way ({least}): {alike:.2f}.")
     return "\n\n" + " ".join(lines)
 
 
