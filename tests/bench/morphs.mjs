@@ -47,10 +47,10 @@ const measures = table(['mesh', 'bumps', 'faces', 'largest with a target, %', 'm
 if (words.includes('--write'))
   await writeSection({
     name: 'morphs',
-    title: 'What counting morph targets gains',
+    title: 'The gain from counting morph targets',
     document: 'pictures.md',
     remark:
-      'A quarter of the faces, `--max-deviation 0`; each pair is without and with the targets in the error. A bump is 5 % of the diagonal high. Six lie all over a body; forty overlap in the part with the first 15 % of its vertices. The largest distance is that with one target at full weight, in the mean over the targets; all are in % of the diagonal.',
+      'A quarter of the faces, `--max-deviation 0`; each pair is without and with the targets in the error measure. A bump is 5 % of the diagonal high. Six are spread over a body; forty overlap in the part with the first 15 % of its vertices. The largest distance is measured with one target at full weight and averaged over the targets; all distances are in % of the diagonal.',
     missing,
     sections: [measures],
   });

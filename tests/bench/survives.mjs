@@ -136,7 +136,7 @@ if (words.includes('--write'))
     title: 'What survives',
     document: 'pictures.md',
     remark:
-      'Files at half of their faces. Counted in the JSON of input and output: scenes, named nodes, meshes, materials, textures, skins and joints, animations and their channels, morph targets, cameras, lights, variants, objects with extras, vertex attributes, extensions (compression apart).',
+      'Files at half of their faces. These are counted in the JSON of input and output: scenes, named nodes, meshes, materials, textures, skins and joints, animations and their channels, morph targets, cameras, lights, variants, objects with extras, vertex attributes, extensions (except compression).',
     missing: [],
-    sections: [summary, `The ${losing.length} files of which some tool loses something:`, rows],
+    sections: [summary, `The ${losing.length} files of which at least one tool loses something:`, rows],
   });
