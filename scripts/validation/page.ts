@@ -39,13 +39,13 @@ const summary = (result: CaseResult) =>
 function section(result: CaseResult): string {
   const parts = [
     `## ${result.title}`,
-    `${result.setting} **Compared with:** ${result.reference} **Reading:** ${result.reading}`,
+    `${result.setting} **Compared with:** ${result.reference} **Interpretation:** ${result.reading}`,
   ];
   if (hasPlot(result)) {
     const worst = finestErrors(result.runs, result.quantities);
     const within = facesWithin(TRUSTED, result.runs, result.quantities);
     parts.push(
-      `**Trust:** the worst of these frequencies is off by ${worst} on the finest mesh of each kind, and by less than ${TRUSTED} %: ${within}.`,
+      `**Accuracy:** the largest error of these frequencies is ${worst} on the finest mesh of each kind. It is less than ${TRUSTED} %: ${within}.`,
     );
     parts.push(`![Worst error over the faces: ${result.title}](images/validation/${result.id}.svg)`);
   }
@@ -54,22 +54,22 @@ function section(result: CaseResult): string {
 
 const INTRODUCTION = `# Validation
 
-Frequencies of bodies whose vibrations are known, computed by the same core as everywhere else, in WebAssembly, and compared
-with the known values: over refinement, on regular, irregular and graded meshes. Nothing on this page is typed in: it is
-written, plots too, by \`npm run validate\` (after \`npm run build\`). Reference values are formulas and
+Frequencies of bodies whose vibrations are known, computed in WebAssembly by the same core that all of Limber uses, and compared
+with the known values: under refinement, on regular, irregular and graded meshes. Everything on this page is generated,
+including the plots, by \`npm run validate\` (after \`npm run build\`). Reference values are formulas and
 small solvers in \`scripts/validation/analytic/\`, themselves checked against published tables in
 \`tests/engine/validation.test.ts\`.
 
-**Meshes.** Regular: even cells, each cut along the same diagonal. Union jack: along alternating diagonals. Irregular: vertices
-moved by up to a quarter of a cell, diagonals by chance. Graded: the longest cell is about eight times as long as the shortest.
-All solves are exact ones (\`--exact\`), Young's modulus and density 1.
+**Meshes.** Regular: equal cells, each split along the same diagonal. Union jack: along alternating diagonals. Irregular: vertices
+moved by up to a quarter of a cell, random diagonals. Graded: the longest cell is about eight times as long as the shortest.
+All solves are exact (\`--exact\`), with Young's modulus and density 1.
 
-**Two kinds of error.** A computed frequency differs from that of the real thing because the _model_ is a theory and because the
-_mesh_ is coarse. The shell is thin-shell theory: it knows no shear through the thickness, which for a plate of a tenth of its
-side is worth 4 to 9 %, on any mesh. Its mesh error falls with the square of the cell size; the element (Morley) is a soft
-one, so nearly always the computed value is too low, and higher modes, whose waves are shorter, are worse. The solid is
+**Two kinds of error.** A computed frequency differs from the real one because the _model_ is a theory and because the
+_mesh_ is coarse. The shell is thin-shell theory: it neglects shear through the thickness, which for a plate with a thickness of a tenth of its
+side accounts for 4 to 9 %, on any mesh. Its mesh error decreases with the square of the cell size; the element (Morley) is too
+soft, so the computed value is nearly always too low, and higher modes, whose waves are shorter, have larger errors. The solid is
 three-dimensional elasticity without any such theory, on a lattice of about 2,000 cells that does not depend on the mesh: finer
-triangles only follow a curved surface better. Its error is that of the lattice, about 1 %, up to 3 % where a limb is three cells wide. The
+triangles only follow a curved surface better. Its error is that of the lattice, about 1 %, up to 3 % if a limb is three cells wide. The
 last section shows both models on the same slab.`;
 
 export function page(results: CaseResult[]): string {

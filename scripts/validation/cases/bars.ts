@@ -67,7 +67,7 @@ export function barCases(core: Core): CaseResult[] {
         'Model solid; 1 x 1 x 6, Poisson 0.3, every vertex of the end z = 0 pinned. omega with E = rho = 1; bending is the mean of a pair.',
       reference: THEORIES,
       reading:
-        'The flat sides are the same in every mesh, and the lattice has about 2,000 cells whatever the mesh: what remains on fine meshes is the lattice and the theories. A face whose corners are all pinned is fixed all over, so the clamp does not depend on how many vertices the end has. The pinned end cannot warp or contract, which no beam theory knows; that makes the real bar bend a little faster than they say.',
+        'The flat sides are the same in every mesh, and the lattice has about 2,000 cells on any mesh: the remaining errors on fine meshes are those of the lattice and of the theories. A face whose corners are all pinned is fixed over its whole area, so the clamp does not depend on the number of vertices at the end. The pinned end cannot warp or contract, which no beam theory takes into account; so the real frequencies of bending are a little higher than theirs.',
       ...barCase(core, true),
     },
     {
@@ -77,7 +77,7 @@ export function barCases(core: Core): CaseResult[] {
         'Model solid; 1 x 1 x 3, Poisson 0.3, free. omega with E = rho = 1; bending is the mean of a pair.',
       reference: THEORIES,
       reading:
-        'All meshes give the same, for they bound the same body and the lattice is the same. At three times its width a bar is short for beam theory: its sides move in and out as it stretches (Poisson), which lowers the real frequency of stretching by about 1 %, and the second bending is at the edge of what Timoshenko can tell.',
+        "All meshes give the same values, because they bound the same body and the lattice is the same. A bar three times as long as wide is short for beam theory: its sides move in and out as it stretches (Poisson's effect), which lowers the real frequency of stretching by about 1 %, and the second bending mode is at the limit of Timoshenko's theory.",
       ...barCase(core, false),
     },
   ];

@@ -34,26 +34,26 @@ const TEXTS: Record<Support, Pick<CaseResult, 'title' | 'setting' | 'reference' 
     setting:
       'Model shell; side 1, thickness 0.01, Poisson 0.3, no pins. Frequencies as omega a^2 sqrt(rho h / D).',
     reference:
-      "Thin-plate theory has no closed form here; the values are Ritz's method with 12 x 12 Legendre polynomials, run by the script. They agree with the published ones, 13.468 19.596 24.270 34.801 34.801 61.093 (Leissa 1969 and 1973 has upper bounds of these).",
+      "Thin-plate theory has no closed form here; the values are Ritz's method with 12 x 12 Legendre polynomials, run by the script. They agree with the published values, 13.468 19.596 24.270 34.801 34.801 61.093 (Leissa 1969 and 1973 gives upper bounds of these).",
     reading:
-      'Model and reference are the same theory, so the whole difference is the mesh: it falls with the square of the cell size on every kind of mesh, always from below.',
+      'Model and reference use the same theory, so the whole difference is due to the mesh: it decreases with the square of the cell size on every kind of mesh, and the computed values are always too low.',
   },
   supported: {
     title: 'Square plate on hinges',
     setting:
-      'As above, with every vertex of the border pinned. A line of pinned vertices holds the place but not the slope: a hinge.',
+      'As above, with every vertex of the border pinned. A line of pinned vertices fixes the position but not the slope: a hinge.',
     reference: 'Exact: pi^2 (m^2 + n^2) (Navier 1823).',
     reading:
-      'Again only the mesh differs. Pinning the border alone gives hinges, not clamps; see the next case for clamps.',
+      'Again the whole difference is due to the mesh. Pinning only the border gives hinges; see the next case for clamps.',
   },
   clamped: {
     title: 'Clamped square plate',
     setting:
-      'As above, with one more row of cells around the plate, all of its vertices pinned. Faces that are pinned whole hold the slope at their edges too.',
+      'As above, with one more row of cells around the plate, all of its vertices pinned. Faces whose vertices are all pinned also fix the slope at their edges.',
     reference:
-      "Ritz's method with 12 x 12 Legendre polynomials that vanish with their slope at the border; published: 35.985 73.39 73.39 108.22 131.58 132.20 (Leissa 1973).",
+      "Ritz's method with 12 x 12 Legendre polynomials whose value and slope vanish at the border; published: 35.985 73.39 73.39 108.22 131.58 132.20 (Leissa 1973).",
     reading:
-      'Only the mesh differs. The frame has next to no influence of its own: how wide its cells are does not matter, as it cannot move.',
+      'The whole difference is due to the mesh. The frame has hardly any influence: the width of its cells does not matter, since it cannot move.',
   },
   cantilever: {
     title: 'Square plate clamped along one side',
@@ -61,7 +61,7 @@ const TEXTS: Record<Support, Pick<CaseResult, 'title' | 'setting' | 'reference' 
     reference:
       "Ritz's method with 12 x 12 Legendre polynomials (published: 3.471 8.507 21.29 27.20 30.96 54.19; the corners at the clamped side make it converge slowly, so the last digit of the reference is uncertain).",
     reading:
-      'Only the mesh differs, and it behaves as for the free plate; the last digit of the reference is the less certain one here.',
+      'The whole difference is due to the mesh, as for the free plate, except for the uncertain last digit of the reference.',
   },
 };
 

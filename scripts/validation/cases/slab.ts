@@ -27,7 +27,7 @@ export function slabCase(core: Core): CaseResult {
     setting: `The free square plate once more, as a shell on its middle surface and as a solid on its closed surface, ${CELLS} cells a side, for five thicknesses. Frequencies as omega a^2 sqrt(rho h / D), in which thin-plate theory does not depend on the thickness.`,
     reference: 'Thin-plate theory, as for the free plate.',
     reading:
-      'The rows of the shell are alike: the model is the theory, and what it differs by is its mesh. The solid follows the theory where the slab is thin and falls away from it as it grows thick, for a thick slab also shears: at a tenth of its side by 4 to 9 %. There the theory is wrong, not the solid. So, for sheets up to about a twentieth of their size take the shell, for anything thicker close the surface and take the solid.',
+      'The rows of the shell are nearly equal: the model is the theory, and the differences are due to its mesh. The solid follows the theory if the slab is thin and deviates from it as it gets thicker, because a thick slab also shears: at a tenth of its side by 4 to 9 %. There the theory is wrong, not the solid. So use the shell for sheets up to about a twentieth of their size; for anything thicker close the surface and use the solid.',
     quantities: plateFrequencies('free', POISSON, 5).map((analytic, k) => ({
       name: `mode ${k + 1}`,
       analytic,

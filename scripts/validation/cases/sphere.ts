@@ -53,10 +53,10 @@ export function sphereCase(core: Core): CaseResult {
     id: 'sphere',
     title: 'Solid sphere',
     setting:
-      "Model solid; radius 1, Poisson 0.25 (Lamb's own choice), free. Frequencies as omega R / c_T; each is the mean of its 2 l + 1 members. Regular is an octahedron with cut edges, irregular the same with moved vertices, graded a globe of longitudes and latitudes with needles at its poles.",
+      "Model solid; radius 1, Poisson 0.25 (Lamb's own choice), free. Frequencies as omega R / c_T; each is the mean of its 2 l + 1 members. Regular is an octahedron with subdivided edges, irregular the same with moved vertices, graded a globe of longitudes and latitudes with needles at its poles.",
     reference: "Exact: Lamb's equations (1882), solved by the script.",
     reading:
-      'The facets lie within the sphere, so a coarse mesh is too small and too high; that error falls with the square of the cell size. What stays on the finest mesh is the lattice of about 2,000 cells.',
+      'The facets lie within the sphere, so a coarse mesh is too small and its frequencies are too high; that error decreases with the square of the cell size. The remaining error on the finest mesh is that of the lattice of about 2,000 cells.',
     quantities: [
       { name: 'torsional, l = 2', analytic: torsional(2, 1)[0] },
       { name: 'torsional, l = 3', analytic: torsional(3, 1)[0] },

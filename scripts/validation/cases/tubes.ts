@@ -31,10 +31,10 @@ function tubeCase(core: Core): CaseResult {
     id: 'tube',
     title: 'Thin tube with open ends',
     setting:
-      'Model shell; radius 1, length 4, thickness 0.01, Poisson 0.3, free. omega with E = rho = 1; each value is the mean of a pair. n counts the waves around.',
-    reference: `Ritz's method on the thin-shell theory of Sanders and Koiter, run by the script. Rayleigh's formula (1894), in which all cross-sections bend alike and nothing is said about the ends, gives ${rayleigh.toFixed(6)} for the first: ${errorPercent(rayleigh, two[0]).toFixed(2)} % more.`,
+      'Model shell; radius 1, length 4, thickness 0.01, Poisson 0.3, free. omega with E = rho = 1; each value is the mean of a pair. n is the number of waves around the tube.',
+    reference: `Ritz's method on the thin-shell theory of Sanders and Koiter, run by the script. Rayleigh's formula (1894), in which all cross-sections bend in the same way and the ends have no conditions, gives ${rayleigh.toFixed(6)} for the first: ${errorPercent(rayleigh, two[0]).toFixed(2)} % more.`,
     reading:
-      'The facets of the mesh are flat, and bending and stretching of a curved shell meet only at the edges between them: that error, too, falls with the square of the cell size. Below about 0.2 % the theories differ among each other.',
+      'The facets of the mesh are flat, so bending and stretching of a curved shell are coupled only at the edges between them: that error, too, decreases with the square of the cell size. Below about 0.2 % the theories themselves differ.',
     quantities: [
       { name: 'n = 2, all alike', analytic: two[0] },
       { name: 'n = 2, ends opposed', analytic: two[1] },
@@ -66,9 +66,9 @@ function bandCase(core: Core): CaseResult {
     title: 'Thin ring as a shell',
     setting:
       'Model shell; a band of radius 1, width 0.1, thickness 0.01, Poisson 0.3, free. omega with E = rho = 1, means of pairs.',
-    reference: `The same thin-shell theory as for the tube. The thin-ring formula omega^2 = (EI / rho A R^4) n^2 (n^2 - 1)^2 / (n^2 + 1) (Hoppe 1871; Love 1944, 293) gives ${thin.toFixed(6)} for the first, ${Math.abs(errorPercent(thin, two[0])).toFixed(2)} % less, for it lets the band curl freely across its width.`,
+    reference: `The same thin-shell theory as for the tube. The thin-ring formula omega^2 = (EI / rho A R^4) n^2 (n^2 - 1)^2 / (n^2 + 1) (Hoppe 1871; Love 1944, 293) gives ${thin.toFixed(6)} for the first, ${Math.abs(errorPercent(thin, two[0])).toFixed(2)} % less, because it lets the band curl freely across its width.`,
     reading:
-      'Only the mesh differs. The mode out of the plane, in which the band twists, comes closer only in proportion to the cell size, but is within 1 % from the start; the others are of second order.',
+      'The whole difference is due to the mesh. The error of the mode out of the plane, in which the band twists, decreases only in proportion to the cell size, but is within 1 % from the start; the others converge with second order.',
     quantities: [
       { name: 'n = 2, in its plane', analytic: two[0] },
       { name: 'n = 2, out of its plane', analytic: two[1] },
@@ -108,7 +108,7 @@ function ringCase(core: Core): CaseResult {
     reference:
       'Thin-ring formulas: in its plane as above; out of its plane (EI / rho A R^4) n^2 (n^2 - 1)^2 / (n^2 + EI / GJ) (Michell 1889; Love 1944, 293), J = 0.1406 side^4.',
     reading:
-      "Three errors meet: the ring is a polygon (falls with the square of the cell size), the lattice of the solid model has about 2,000 cells whatever the mesh, so three of them across the ring's side (this one stays), and the formulas leave out shear and rotary inertia, which would lower them by roughly 0.7 % for n = 2 and 1.5 % for n = 3. So the lattice itself is about 3 % too stiff here: a limb that is only three cells wide is the least that can be trusted to a few percent.",
+      "Three errors add up: the ring is a polygon (this error decreases with the square of the cell size), the lattice of the solid model has about 2,000 cells on any mesh, so three of them across the ring's side (this error remains), and the formulas neglect shear and rotary inertia, which would lower them by roughly 0.7 % for n = 2 and 1.5 % for n = 3. So the lattice itself is about 3 % too stiff here: three cells is the smallest width of a limb at which the result can be trusted to a few percent.",
     quantities: [2, 3].flatMap((n) => [
       { name: `n = ${n}, out of its plane`, analytic: ringOutOfPlane(radius, bending, twist, n) },
       { name: `n = ${n}, in its plane`, analytic: ringInPlane(radius, bending, 1, n) },
