@@ -38,10 +38,11 @@ if (options.write)
   await writeSection({
     name: 'dense',
     title: 'Dense products',
-    remark: 'GFlop/s, doubles, one thread; ours and Eigen’s in turn, the best of seven.',
+    remark:
+      'GFlop/s, doubles, one thread; our runs and Eigen’s alternated; each number is the best of seven.',
     missing: [],
     sections: [
-      'What the solver spends most of its time in: the product of dense blocks that is subtracted from another one. Eigen 3.4 has kernels of its own for x86 and Arm, none for WebAssembly.',
+      'The solver spends most of its time in this operation: the product of dense blocks is subtracted from another block. Eigen 3.4 has special kernels for x86 and Arm, but none for WebAssembly.',
       table(header, rows),
     ],
   });

@@ -117,10 +117,10 @@ if (options.write)
   await writeSection({
     name: 'fit',
     title: 'Modal fit',
-    remark: `${options.threads} threads; each time is the least of ${rounds}.`,
+    remark: `${options.threads} threads; each time is the minimum of ${rounds}.`,
     missing,
     sections: [
-      'The fit of a result with a quarter of the faces. Errors: of frequencies, root mean square over the modes and thicknesses that are fitted, after the collapses and after the fit.',
+      'The fit of a result with a quarter of the faces. Errors are frequency errors, root mean square over the fitted modes and thicknesses, after the collapses and after the fit.',
       table(['mesh', 'faces', '12 modes', 'fit', 'fit / modes', 'target', 'error before', 'after'], rows),
     ],
   });

@@ -104,7 +104,7 @@ async function smallSolves() {
   }
   return [
     '### 12 modes of a shell, 10,000 faces',
-    'The full solve on 2 threads. For comparison: the paper reports 1.77 s for 9,998 faces, natively. The target holds for the first call, which still compiles.',
+    'The full solve on 2 threads. For comparison: the paper reports 1.77 s for 9,998 faces, natively. The target applies to the first call, which includes compilation.',
     table([...OUR_COLUMNS, 'peer', 'wasm / peer', '<= 1.0 s'], rows),
   ];
 }
@@ -122,7 +122,7 @@ async function largeSolves() {
   const peers = ['peer, 1 thread', 'peer, 2 threads', 'simplicial'];
   return [
     '### 12 modes of a shell, 40,000 faces',
-    'The full solve (`--exact`) on 2 threads. The peer, natively: SciPy\'s `eigsh` in shift-invert mode with the supernodal factor of CHOLMOD (scikit-sparse, METIS) on the same K, M and shift; its time counts the factorisation and the search, not the assembly, while ours counts everything and one more factorisation, which proves that no mode is missing. The ratio is to the faster of its two. "Simplicial" is Spectra with Eigen\'s SimplicialLDLT, as most programs ship it, natively.',
+    'The full solve (`--exact`) on 2 threads. The peer, natively, is SciPy\'s `eigsh` in shift-invert mode with the supernodal factor of CHOLMOD (scikit-sparse, METIS) on the same K, M and shift; its time includes the factorisation and the search, not the assembly, while ours includes everything and another factorisation, which proves that no mode is missing. The ratio is to the faster of its two times. "Simplicial" is Spectra with Eigen\'s SimplicialLDLT, as most programs ship it, natively.',
     table([...OUR_COLUMNS, ...peers, 'wasm / peer', '<= 1.5'], rows),
   ];
 }
@@ -153,7 +153,7 @@ async function millionFaces() {
       }
     }
   return [
-    '### 12 modes, a million faces, as it is done by default',
+    '### 12 modes, a million faces, with the defaults',
     'On 2 threads, one call in a fresh process or page.',
     table(['mesh', 'faces', 'way', 'where', 'time', 'wasm memory', 'modes', '<= 30 s and 2 GiB'], rows),
   ];
@@ -174,7 +174,7 @@ async function fill() {
   const header = ['mesh', 'faces', 'ours', 'ours, with stored zeros', 'METIS', "CHOLMOD's nested dissection"];
   return [
     '### Nonzeros of the factor L',
-    'Of K - shift M of the shell. "Stored zeros" are entries that our dense fronts keep though they are 0; the peers\' counts have none (simplicial factors).',
+    'Of K - shift M of the shell. "Stored zeros" are entries of our dense fronts that are 0; the counts of the peers have none (simplicial factors).',
     table([...header, 'ours / METIS', '<= 1.2'], rows),
   ];
 }
@@ -192,7 +192,7 @@ if (options.write)
   await writeSection({
     name: 'modes',
     title: 'Modes',
-    remark: `Ours and the peer's ran in turn, ${rounds} rounds; each number is the least.`,
+    remark: `Our runs and the peer's alternated, ${rounds} rounds; each number is the minimum.`,
     missing,
     sections,
   });

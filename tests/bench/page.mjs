@@ -118,7 +118,7 @@ async function measureFinish(browser, count) {
   }
   const least = Math.min(...commandLine);
   const target = `${(1.2 * least).toFixed(1)} s: command line ${least.toFixed(1)} s + 20 %`;
-  const told = `${Math.min(...drawn).toFixed(1)} s; where nothing is drawn ${Math.min(...plain).toFixed(1)} s`;
+  const told = `${Math.min(...drawn).toFixed(1)} s; without drawing ${Math.min(...plain).toFixed(1)} s`;
   add(`${nameOf(count)}: drop -> finished at 50 %`, told, target);
 }
 
@@ -202,7 +202,7 @@ if (write)
     name: 'page',
     title: 'Page',
     remark:
-      'Chromium draws in software. Tasks count by the time in which the main thread computed, which leaves out waits for the rasteriser; with waits in second place. The slider moves while the result is still being fitted; of each 12 moves the median and the most are shown, until the label says the new number, and until the picture has been prepared (without the wait for a frame). Uploads wait for the rasteriser and are shown by themselves. Drop to finished: the least of three, in turn with the command line, three seconds after the page is usable, in which it compiles its engine; once more with draw calls that do nothing, which leaves the rasteriser no work.',
+      'Chromium draws in software. For tasks, the first number is the computing time of the main thread without waits for the rasteriser, the second includes them. The slider moves while the result is still being fitted; the median and the maximum of 12 moves each are shown, until the label shows the new number, and until the picture has been prepared (without the wait for a frame). Uploads wait for the rasteriser and are shown separately. Drop to finished: the minimum of three runs, alternating with the command line, starting three seconds after the page is usable, in which it compiles its engine; repeated with empty draw calls, so that the rasteriser has no work.',
     missing: [],
     sections: [table(header, rows)],
   });

@@ -124,10 +124,10 @@ if (options.write)
   await writeSection({
     name: 'scaling',
     title: 'From a thousand to four million faces',
-    remark: `A bumpy ball as GLB, from file to file at half of its faces, on two threads; seconds of each stage and on the clock, the least of ${options.rounds} runs.`,
+    remark: `A bumpy ball as GLB, from file to file at half of its faces, on two threads; seconds of each stage and of wall-clock time, the minimum of ${options.rounds} runs.`,
     missing: [],
     sections: [
-      'The exponent is the slope of a straight line through the logarithms from 15,000 faces on; in brackets the factor by which the line is off at most.',
+      'The exponent is the slope of a straight line through the logarithms from 15,000 faces on; in brackets the largest factor between a time and the line.',
       ...sections,
     ],
   });

@@ -117,8 +117,8 @@ for (const mesh of meshes()) {
 }
 
 const sections = [
-  '### The whole history against a simplification to 25 %',
-  "Ours goes down to the floor and records every collapse, so that any count can be shown; the peer, meshoptimizer's `simplify`, stops at a quarter of the faces. Both in wasm on one thread, with all copies into and out of its memory. A slider tick is `meshAt` with mesh and history kept in the core.",
+  '### The whole history compared with a simplification to 25 %',
+  "Ours goes down to the floor and records every collapse, so that any count can be shown; the peer, meshoptimizer's `simplify`, stops at a quarter of the faces. Both run in wasm on one thread; all copies into and out of its memory are included. A slider tick is `meshAt` with mesh and history kept in the core.",
   table(
     [
       'mesh',
@@ -144,7 +144,7 @@ if (options.write)
   await writeSection({
     name: 'simplify',
     title: 'Simplification',
-    remark: `Ours and the peer's ran in turn, ${rounds} rounds (two for a million faces); each number is the least.`,
+    remark: `Our runs and the peer's alternated, ${rounds} rounds (two for a million faces); each number is the minimum.`,
     missing,
     sections,
   });

@@ -161,7 +161,7 @@ function springs() {
   };
   return [
     `### Springs: the bar with ${edges} edges, 2,000 substeps a step, one thread`,
-    'Ours is accurate at that many substeps (a falling body follows the parabola); the plain loops keep float positions, which stand still there. All work of a step is counted.',
+    'Ours is accurate at that many substeps (a falling body follows the parabola); the plain loops keep float positions, which do not move at all there. All work of a step is included.',
     table(
       ['what', 'one step', 'million edges a second', 'ours is faster by', 'target'],
       [
@@ -208,7 +208,7 @@ async function threads() {
   });
   return [
     `### Two threads on one body: the bar with ${edgesOf(mesh).length} edges, 20 substeps`,
-    `Two plain programs at the same time did ${(await freeCores()).toFixed(2)} times the work of one: 2 where nothing else uses the cores.`,
+    `Two independent programs at the same time did ${(await freeCores()).toFixed(2)} times the work of one; it would be 2 if nothing else used the cores.`,
     table(['material', 'one thread', 'two threads', 'faster by', '>= 1.4'], rows),
   ];
 }
@@ -262,7 +262,7 @@ async function write() {
   const [begin, end] = ['<!-- simulate: begin -->', '<!-- simulate: end -->'];
   const introduction = [
     `Written by \`node tests/bench/simulate.mjs --write\` on ${cpus().length} x ${cpus()[0].model.trim()}, Node ${process.versions.node}.`,
-    'Each number is the least over the steps of some seconds.',
+    'Each number is the minimum over the steps of a few seconds.',
     ...(missing.length ? [`Missing: ${missing.join('; ')}.`] : []),
   ].join(' ');
   const content = wrapProse([begin, '## Simulation', introduction, ...sections, end].join('\n\n'));
