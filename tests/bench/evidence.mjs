@@ -101,7 +101,7 @@ const sections = MEASURES.flatMap(({ title, of, levels }) => {
       ['method', ...ratios.map((ratio) => `at ${100 * ratio} % of the faces`)],
       rows.map(({ name, points }) => [name, ...points.map(({ error }) => shown(error))]),
     ),
-    'The same, the other way round: the share of the faces at which the error is reached, and how many times as fast as the original a simulation then is.',
+    'The inverse: the percentage of the faces at which this error is reached, and the speed of a simulation at that size relative to the original.',
     table(
       ['method', ...levels.map((level) => `${level} %`)],
       rows.map(({ name, points }) => [name, ...levels.map((level) => shareAt(points, level))]),
@@ -130,7 +130,7 @@ if (options.write)
     name: 'evidence',
     title: 'Equal faces, equal errors',
     document: 'evidence.md',
-    remark: `Geometric means over ${meshes.map(({ name, faces }) => `${name} (${faces} faces)`).join(', ')}. A dash: a result has more faces than asked for, or none can be measured.`,
+    remark: `Geometric means over ${meshes.map(({ name, faces }) => `${name} (${faces} faces)`).join(', ')}. A dash: a result has more faces than requested, or no value can be measured.`,
     missing,
     sections,
   });

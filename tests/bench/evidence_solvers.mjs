@@ -62,7 +62,7 @@ if (options.write)
     name: 'evidence_solvers',
     title: 'By solver',
     document: 'evidence.md',
-    remark: `Mean frequency errors of modes 1 to 10 at ${100 * ratio} % of the faces, in %, with the original's numbers -> with the two factors and masses that \`limber tune\` finds for the mesh of any tool. Geometric means over those of ${meshes.map(({ name }) => name).join(', ')} that have modes in the solver: a flat sheet of springs has none. A dash: a result has more faces than asked for.`,
+    remark: `Mean frequency errors of modes 1 to 10 at ${100 * ratio} % of the faces, in %, with the original's parameters -> with the two factors and masses that \`limber tune\` finds for the mesh of any tool. Geometric means over those of ${meshes.map(({ name }) => name).join(', ')} that have modes in the solver: a flat sheet of springs has none. A dash: a result has more faces than requested.`,
     missing,
     sections,
   });
