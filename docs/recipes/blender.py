@@ -5,11 +5,11 @@ In Blender (Scripting), with objects selected:
     import sys; sys.path.append("/path/to/limber/docs/recipes"); import blender
     for thing in list(bpy.context.selected_objects): blender.optimize(thing, "--ratio 0.4")
 
-or without a window, for whatever Blender imports and exports (FBX, USD, Alembic, VRM with its add-on):
+or without a window, for every format that Blender imports and exports (FBX, USD, Alembic, VRM with its add-on):
 
     python blender.py IN.fbx OUT.fbx --ratio 0.4        # in a Python with the bpy package; blender --background --python blender.py -- ...
 
-The original stays, hidden; the result is beside it, with "_limber" after its name. LIMBER is the command ("limber" where it is not set).
+The original is kept, hidden; the result is added with "_limber" after its name. LIMBER is the command ("limber" if it is not set).
 """
 
 import json
@@ -21,19 +21,19 @@ import sys
 import tempfile
 
 import bpy
-import bmesh  # comes with bpy, which has to be first
+import bmesh  # comes with bpy, which must be imported first
 
-#: Attributes of glTF that start with an underscore are the user's own; limber interpolates them as it does UVs.
+#: Attributes of glTF that start with an underscore are the user's own; limber interpolates them like UVs.
 GROUP = "_group_"
-#: Of the cloth modifier, as limber's profile of Blender calls them.
+#: Parameters of the cloth modifier, by their names in limber's profile of Blender.
 CLOTH = {"tension": "tension_stiffness", "bending": "bending_stiffness", "mass": "mass", "air": "air_damping"}
 CLOTH |= {"tension_damping": "tension_damping", "bending_damping": "bending_damping", "quality": "quality"}
-#: Of its collision settings, which are called alike.
+#: Those of its collision settings, which have the same names.
 CONTACTS = ("distance_min", "self_distance_min", "friction")
 
 
 def optimize(thing, options=""):
-    """The optimized copy of a mesh object. Raises RuntimeError with limber's sentence where it fails."""
+    """The optimized copy of a mesh object. Raises RuntimeError with limber's message if it fails."""
     cloth = next((modifier for modifier in thing.modifiers if modifier.type == "CLOTH"), None)
     with tempfile.TemporaryDirectory() as folder:
         paths = {name: os.path.join(folder, name) for name in ("in.glb", "out.glb", "settings.json")}
@@ -85,7 +85,7 @@ def _export(thing, path):
 
 
 def _import(path, thing):
-    """A new object at the place of `thing` with its materials, whose mesh is that of the file."""
+    """A new object with the transform and the materials of `thing` and the mesh of the file."""
     before = set(bpy.data.objects)
     bpy.ops.import_scene.gltf(filepath=path, merge_vertices=True)
     added = [one for one in bpy.data.objects if one not in before]
@@ -95,7 +95,7 @@ def _import(path, thing):
             bpy.data.objects.remove(one)
     result.parent = thing.parent
     result.matrix_parent_inverse = thing.matrix_parent_inverse.copy()
-    # The importer turns objects where the file says so, and the mesh was exported in its own space.
+    # The importer rotates objects if the file says so, and the mesh was exported in its own space.
     result.matrix_basis = thing.matrix_basis.copy()
     result.name = f"{thing.name}_limber"
     _weld(result.data, flat=not any(face.use_smooth for face in thing.data.polygons))
@@ -106,7 +106,7 @@ def _import(path, thing):
 
 
 def _weld(mesh, flat):
-    """One vertex at each place. In glTF flat faces share none, and the importer joins those alone whose normals agree."""
+    """Merges vertices at the same position. In glTF flat faces share none, and the importer merges only those whose normals agree."""
     normals = [tuple(normal.vector) for normal in mesh.corner_normals]
     welded = bmesh.new()
     welded.from_mesh(mesh)
@@ -134,17 +134,17 @@ def _bring_groups(thing, result):
 
 
 def _cloth_options(thing, cloth, path):
-    """limber finds the parameters with which the result moves like the original with these, as large as it is in the scene."""
+    """Options with which limber finds the parameters for the result, from those of the original at its size in the scene."""
     values = {name: getattr(cloth.settings, property_) for name, property_ in CLOTH.items()}
     values |= {name: getattr(cloth.collision_settings, name) for name in CONTACTS}
-    # Blender's numbers are floats: with more digits the largest that it takes would be beyond limber's limits.
+    # Blender's numbers are floats: with more digits the largest that it accepts would be beyond limber's limits.
     words = ",".join(f"{name}={value:.7g}" for name, value in values.items())
     scale = sum(abs(axis) for axis in thing.matrix_world.to_scale()) / 3
     return ["--solver", "blender", "--engine", words, "--settings", path, "--unit", f"{scale:.9g}", *_pins(thing, cloth)]
 
 
 def _pins(thing, cloth):
-    """--pins with the vertices that the cloth's pin group holds by more than a half; nothing where there are none."""
+    """--pins with the vertices whose weight in the cloth's pin group is more than a half; nothing if there are none."""
     group = thing.vertex_groups.get(cloth.settings.vertex_group_mass)
     if group is None:
         return []
@@ -160,7 +160,7 @@ def _copy_properties(source, target):
 
 
 def _bring_cloth(cloth, result, settings):
-    """The modifier again, with all that it had, and the parameters that were found."""
+    """Copies the modifier with all its values, and sets the parameters that were found."""
     modifier = result.modifiers.new(cloth.name, "CLOTH")
     _copy_properties(cloth.settings, modifier.settings)
     _copy_properties(cloth.settings.effector_weights, modifier.settings.effector_weights)
@@ -171,7 +171,7 @@ def _bring_cloth(cloth, result, settings):
             setattr(modifier.settings, property_, engine[name])
     for name in CONTACTS:
         setattr(modifier.collision_settings, name, engine[name])
-    # limber takes compression as tension, and bending by angles.
+    # limber treats compression like tension, and bending by angles.
     modifier.settings.compression_stiffness = modifier.settings.tension_stiffness
     modifier.settings.bending_model = "ANGULAR"
     modifier.settings.quality = int(settings["bodies"][0]["substeps"])
@@ -196,7 +196,7 @@ FILES = {
 
 
 def optimize_file(source, target, options):
-    """All meshes of a file, each in the place of its original."""
+    """All meshes of a file, each in place of its original."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     FILES[pathlib.Path(source).suffix.lower()][0](source)
     for thing in [one for one in bpy.data.objects if one.type == "MESH"]:

@@ -5,9 +5,9 @@
 import { Box3, LOD, Vector3 } from 'three';
 
 /**
- * One object that shows coarser levels from farther away. `scenes`: gltf.scene of each level, finest first. `pixels`: how far an edge of the
- * silhouette may be off on a screen of `height` pixels with this camera. `deviations`: of each level, in % of the diagonal, as the
- * reports of limber have them (surface.hausdorff, and of levels levels[i].surface.hausdorff).
+ * One object that shows coarser levels from farther away. `scenes`: gltf.scene of each level, finest first. `pixels`: the error that an edge of the
+ * silhouette may have on a screen of `height` pixels with this camera. `deviations`: of each level, in % of the diagonal, from the
+ * reports of limber (surface.hausdorff, and levels[i].surface.hausdorff for further levels).
  */
 export function levelsOf(scenes, { deviations, camera, height, pixels = 1 }) {
   const diagonal = new Box3().setFromObject(scenes[0]).getSize(new Vector3()).length();

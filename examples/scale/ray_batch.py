@@ -3,9 +3,9 @@
     python examples/scale/ray_batch.py s3://assets/in s3://assets/out --options "--ratio 0.4" --csv summary.csv
     python examples/scale/ray_batch.py /share/assets /share/results --limber "node /opt/limber/cli/limber.mjs"
 
-A result carries the hash of its input, its options and the version of limber: what is up to date is left as it is, so that after a crash
-of everything the same command goes on. A worker that is killed has its task done again by another one. Needs ray, and boto3 for buckets.
-Exit code 1 where a model failed.
+A result carries the hash of its input, its options and the version of limber. Up-to-date results are skipped, so that after a crash
+of everything the same command continues. The task of a killed worker is repeated by another one. Needs ray, and boto3 for buckets.
+The exit code is 1 if a model failed.
 """
 
 import argparse
@@ -32,7 +32,7 @@ RETRIES = 3
 
 
 def companions_of(name, data):
-    """Names of the files that a glTF names, in its own folder or below; those outside are none of its business."""
+    """Names of the files that a glTF refers to, in its own folder or below; files outside are ignored."""
     if not name.endswith(".gltf"):
         return []
     root = json.loads(data)
@@ -49,7 +49,7 @@ def key_of(files, options, version):
 
 
 def fetch(storage, name):
-    """The model under its own name, and what it names."""
+    """The model under its own name, and the files that it refers to."""
     folder, _, base = name.rpartition("/")
     files = {base: storage.read(name)}
     for path in companions_of(base, files[base]):
@@ -61,7 +61,7 @@ def fetch(storage, name):
 
 
 def run_limber(limber, files, base, options):
-    """The bytes of the result and the sentences of limber; None instead of bytes where it failed."""
+    """The bytes of the result and the sentences of limber; None instead of bytes if it failed."""
     with tempfile.TemporaryDirectory() as folder:
         for path, data in files.items():
             target = pathlib.Path(folder, "in", path)
@@ -77,7 +77,7 @@ def run_limber(limber, files, base, options):
 
 @ray.remote(max_retries=RETRIES, num_cpus=1)
 def optimize(source, results, name, job):
-    """One row of the summary. Whatever fails but the worker itself is a row, too."""
+    """One row of the summary. Every failure except that of the worker itself is a row, too."""
     begun = time.time()
     row = {"asset": name, "state": "failed", "bytes before": "", "bytes after": "", "sentence": ""}
     try:
@@ -100,7 +100,7 @@ def optimize(source, results, name, job):
 
 
 def result_names(names):
-    """As limber batch calls them: two models that would have one result keep their endings."""
+    """Named as by limber batch: two models that would have the same result keep their extensions."""
     short = [name.rpartition(".")[0] for name in names]
     counts = collections.Counter(short)
     return {name: f"{base if counts[base] == 1 else name}.glb" for name, base in zip(names, short)}

@@ -1,4 +1,4 @@
-"""Folders and buckets behind one interface: names parted by slashes, whole objects in and out."""
+"""Folders and buckets behind one interface: names separated by slashes, whole objects in and out."""
 
 import os
 import pathlib
@@ -27,7 +27,7 @@ class Folder:
         return mark.read_text() if path.exists() and mark.exists() else None
 
     def write(self, name, data, mark):
-        """The mark last: it stands for a whole object."""
+        """Writes the mark last: it shows that the object is complete."""
         self._mark(name).unlink(missing_ok=True)
         self._replace(self.root / name, data)
         self._replace(self._mark(name), mark.encode())
