@@ -242,6 +242,14 @@ describe('pipes', () => {
     expect([quiet.stderr, quiet.bytes.equals(piped.bytes)]).toEqual(['', true]);
   });
 
+  it.skipIf(!existsSync('/dev/stderr'))('are written to by the names that the system has for them', () => {
+    const words = 'optimize torus.obj named.glb --method qem --quiet --report /dev/stderr';
+    const line = `"${process.execPath}" "${program}" ${words} 2>&1 | cat`;
+    const { stdout } = spawnSync('sh', ['-c', line], { cwd: folder, encoding: 'utf8' });
+    expect((JSON.parse(stdout) as { command: string }).command).toBe('optimize');
+    expect(existsSync(path('named.glb'))).toBe(true);
+  });
+
   it('are sniffed: the format of a text without a name follows from its beginning', () => {
     const { code, stdout } = limber('inspect -', { input: readFileSync(path('torus.obj')) });
     expect([code, stdout.split('\n')[0]]).toEqual([0, 'stdin: OBJ, 1 body']);

@@ -1,6 +1,6 @@
 /** Which file a path leads to: by device and inode where it exists, since names can differ and links can lead there. */
 
-import { lstatSync, readlinkSync, realpathSync, statSync } from 'node:fs';
+import { existsSync, lstatSync, readlinkSync, realpathSync, statSync } from 'node:fs';
 import type { BigIntStats, Stats } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 import { UsageError } from '../failure';
@@ -16,7 +16,8 @@ export function followLinks(path: string): string {
     if (links === MOST_LINKS) throw new UsageError(`${path} is a link that leads back to itself: remove it.`);
     end = resolve(dirname(end), readlinkSync(end));
   }
-  return end;
+  // What the link of an open pipe says, as /dev/stdout is one, is no path.
+  return !existsSync(end) && isSpecial(path) ? resolve(path) : end;
 }
 
 function isLink(path: string): boolean {
