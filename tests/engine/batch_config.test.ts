@@ -1,6 +1,6 @@
 /** The pure parts of batches: patterns, configurations, keys, journals, summaries, pictures. */
 
-import { appendFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { appendFileSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { inflateSync } from 'node:zlib';
@@ -20,6 +20,7 @@ import { parseArguments } from '../../web/cli/arguments';
 import type { Arguments } from '../../web/cli/arguments';
 import { Journal } from '../../web/cli/batch/journal';
 import { hashOf, keyOf } from '../../web/cli/batch/key';
+import { LineFile } from '../../web/cli/batch/line_file';
 import { optionsOfFlags } from '../../web/cli/batch/orders';
 import { cameraOn } from '../../web/cli/batch/picture/camera';
 import { encodePng } from '../../web/cli/batch/picture/png';
@@ -226,6 +227,12 @@ describe('the journal', () => {
       expect(notes).toEqual([expect.stringMatching(/manifest\.json is damaged or of another version/)]);
     },
   );
+});
+
+it.skipIf(!existsSync('/dev/full'))('a journal on a full disk says so in a sentence', () => {
+  const file = new LineFile('/dev/full');
+  expect(() => file.add('done')).toThrow('/dev/full cannot be written: the disk is full.');
+  file.close();
 });
 
 describe('the summary', () => {

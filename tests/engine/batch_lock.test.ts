@@ -54,3 +54,10 @@ it('is not released by a process that has lost it', () => {
   unlock();
   expect(existsSync(lock())).toBe(true);
 });
+
+it('says in a sentence where it cannot be written, and leaves no draft', () => {
+  const missing = join(folder, 'missing');
+  expect(() => takeLock(missing, 'out')).toThrow(
+    `${join(missing, 'lock.json')} cannot be written: there is no such file.`,
+  );
+});

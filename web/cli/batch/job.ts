@@ -2,8 +2,9 @@
 
 import { fork } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
-import { mkdirSync, rmSync } from 'node:fs';
+import { rmSync } from 'node:fs';
 import { grouped } from '../../engine/core/words';
+import { makeFolder } from '../files';
 import { memoryOf } from './memory';
 import type { WorkDone, WorkOrder } from './messages';
 import { failedRecord } from './record';
@@ -36,11 +37,11 @@ export class Job {
     return this.options.folder;
   }
 
-  /** Works on an asset. A process that ends on the way fails its asset alone; this never throws. */
+  /** Works on an asset. A process that ends on the way fails its asset alone. Throws UsageError where the folder cannot be made. */
   async work(order: WorkOrder): Promise<WorkDone> {
     const { folder, memory } = this.options;
     rmSync(folder, { recursive: true, force: true });
-    mkdirSync(folder, { recursive: true });
+    makeFolder(folder);
     const started = performance.now();
     this.worker ??= this.start();
     const outcome = await this.outcome(this.worker, order);

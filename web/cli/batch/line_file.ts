@@ -1,6 +1,7 @@
 /** A file to whose end lines are added. */
 
 import { closeSync, fsync, openSync, writeSync } from 'node:fs';
+import { fileError } from '../file_error';
 
 /**
  * A line is the system's once `add` returns, so that it outlives a kill; it is on the disk soon after, for which nobody waits. Whoever
@@ -12,15 +13,18 @@ export class LineFile {
   private isClosed = false;
   private failure: Error | null = null;
 
-  constructor(path: string) {
-    this.file = openSync(path, 'a');
+  /** Throws UsageError. */
+  constructor(private readonly path: string) {
+    this.file = this.named(() => openSync(path, 'a'));
   }
 
-  /** Throws as well where an earlier line could not be brought to the disk. */
+  /** Throws UsageError, as well where an earlier line could not be brought to the disk. */
   add(line: string): void {
-    if (this.failure) throw this.failure;
-    // The newline before it ends what an earlier program may have left of a line.
-    writeSync(this.file, `\n${line}\n`);
+    this.named(() => {
+      if (this.failure) throw this.failure;
+      // The newline before it ends what an earlier program may have left of a line.
+      writeSync(this.file, `\n${line}\n`);
+    });
     if (this.state === 'quiet') this.flush();
     else this.state = 'behind';
   }
@@ -28,6 +32,14 @@ export class LineFile {
   close(): void {
     this.isClosed = true;
     if (this.state === 'quiet') closeSync(this.file);
+  }
+
+  private named<Value>(write: () => Value): Value {
+    try {
+      return write();
+    } catch (error) {
+      throw fileError(`${this.path} cannot be written`, error);
+    }
   }
 
   private flush(): void {

@@ -4,6 +4,7 @@ import { linkSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:
 import { hostname } from 'node:os';
 import { join } from 'node:path';
 import { UsageError } from '../failure';
+import { fileError } from '../file_error';
 
 interface Owner {
   host: string;
@@ -30,14 +31,14 @@ export function takeLock(folder: string, out: string): () => void {
 /** Whether there was no lock before. The file appears with its content, so that nobody takes it for a damaged one. */
 function created(path: string, owner: Owner): boolean {
   const draft = `${path}.${process.pid}`;
-  writeFileSync(draft, JSON.stringify(owner));
   try {
+    writeFileSync(draft, JSON.stringify(owner));
     linkSync(draft, path);
     return true;
   } catch (error) {
     const { code } = error as NodeJS.ErrnoException;
     if (code === 'EEXIST') return false;
-    if (!WITHOUT_LINKS.includes(code!)) throw error;
+    if (!WITHOUT_LINKS.includes(code!)) throw fileError(`${path} cannot be written`, error);
     return createdWithoutLinks(path, owner);
   } finally {
     rmSync(draft, { force: true });
@@ -53,7 +54,7 @@ function createdWithoutLinks(path: string, owner: Owner): boolean {
     return true;
   } catch (error) {
     if ((error as NodeJS.ErrnoException).code === 'EEXIST') return false;
-    throw error;
+    throw fileError(`${path} cannot be written`, error);
   }
 }
 

@@ -1,6 +1,6 @@
 /** Results in the folder OUT: what is written there, and by which asset. */
 
-import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, statSync } from 'node:fs';
+import { chmodSync, copyFileSync, existsSync, readFileSync, renameSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileError } from '../file_error';
 import { makeFolder, writeWhole } from '../files';
@@ -94,7 +94,7 @@ export class Results {
     this.claim(record);
     if (picture) {
       const path = picturePath(this.options.out, record.asset);
-      mkdirSync(dirname(path), { recursive: true });
+      makeFolder(dirname(path));
       renameSync(picture, path);
     }
     return record;
