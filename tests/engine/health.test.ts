@@ -25,5 +25,8 @@ describe('a note', () => {
     expect(describeSolve([{ residual: 1e-9 }, { residual: 1e-6 }], 0).map(inFlags)).toEqual([
       'the largest residual of the modes is 1.0e-6: needle triangles leave their last digits to rounding',
     ]);
+    expect(describeResiduals([0.9, 1e-5, 11].map((residual) => ({ residual })))).toEqual([
+      'the largest residual of the modes is 1.1e+1: needle triangles leave 2 modes to rounding',
+    ]);
   });
 });

@@ -67,6 +67,8 @@ export function describeFailedModes(name: string, modes: ModeSet | null): string
 
 /** Larger residuals |K phi - lambda M phi| / (lambda |M phi|) are reported. */
 const GOOD_RESIDUAL = 1e-7;
+/** With a larger residual a frequency may be off by 1 % or more. */
+const BAD_RESIDUAL = 0.01;
 
 /** A clause on the coarse copy that modes were solved on, or on large residuals; empty if there is nothing to say. */
 export function describeSolve(modes: { residual: number }[], coarseVertices: number): Note[] {
@@ -79,7 +81,9 @@ export function describeSolve(modes: { residual: number }[], coarseVertices: num
 export function describeResiduals(modes: { residual: number }[]): string[] {
   const worst = modes.reduce((largest, { residual }) => Math.max(largest, residual), 0);
   if (worst <= GOOD_RESIDUAL) return [];
+  const lost = modes.filter(({ residual }) => residual > BAD_RESIDUAL).length;
+  const left = lost === 0 ? 'their last digits' : counted(lost, 'mode', 'modes');
   return [
-    `the largest residual of the modes is ${worst.toExponential(1)}: needle triangles leave their last digits to rounding`,
+    `the largest residual of the modes is ${worst.toExponential(1)}: needle triangles leave ${left} to rounding`,
   ];
 }

@@ -25,6 +25,10 @@ export const ENGINE: MessageTable = {
   '{count} open borders': '開いた境界 {count} か所',
   'the largest residual of the modes is {residual}: needle triangles leave their last digits to rounding':
     'モードの最大残差は {residual} です。細長い三角形のため、末尾の桁は丸め誤差を含みます',
+  'the largest residual of the modes is {residual}: needle triangles leave {count} mode to rounding':
+    'モードの最大残差は {residual} です。細長い三角形のため、モード {count} 個は丸め誤差にすぎません',
+  'the largest residual of the modes is {residual}: needle triangles leave {count} modes to rounding':
+    'モードの最大残差は {residual} です。細長い三角形のため、モード {count} 個は丸め誤差にすぎません',
   // web/engine/core/mode_set.ts
   '{count} solid part': 'ソリッド {count} 個',
   '{count} solid parts': 'ソリッド {count} 個',
