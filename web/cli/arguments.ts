@@ -25,9 +25,9 @@ export interface Arguments {
   command: Command;
   operands: string[];
   settings: Settings;
-  /** what is to be said of words of earlier versions */
+  /** notes on words of earlier versions */
   formerWords: Note[];
-  /** null: not asked for */
+  /** null: not given */
   faces: number | null;
   ratio: number | null;
   fields: boolean;
@@ -47,9 +47,9 @@ export interface Arguments {
   verbose: boolean;
   /** files of the user's own may be replaced */
   force: boolean;
-  /** says what would be written, and does nothing */
+  /** lists what would be written, and does nothing */
   dryRun: boolean;
-  /** a target that is not reached is no failure */
+  /** a missed target is not a failure */
   soft: boolean;
   /** whether the result is checked by the glTF validator */
   validates: boolean;
@@ -57,11 +57,11 @@ export interface Arguments {
   engineFile: string | null;
   /** the format of stdin, of --from; null: by its bytes */
   from: string | null;
-  /** bytes that the core may take, of --memory; null: as many as it can */
+  /** bytes that the core may use, of --memory; null: the maximum */
   memory: number | null;
   /** of --preset; null: none was named */
   preset: PresetName | null;
-  /** what batch is asked for besides; of other commands the defaults */
+  /** further options of batch; for other commands the defaults */
   batch: BatchFlags;
 }
 
@@ -223,7 +223,7 @@ function readLikeInput(values: Map<string, string>): void {
   values.set('compress', other);
 }
 
-/** What is asked of a solver needs one; a command that tunes needs a file for what it finds. */
+/** Checks that options of a solver have one, and that limber tune has a settings file to write. */
 function checkSolverFlags(command: Command, settings: Settings, values: Map<string, string>): void {
   const { solver } = settings;
   if (solver === 'none') {

@@ -1,4 +1,4 @@
-/** What limber optimize is asked for, as the engine knows it. */
+/** The targets of limber optimize in the form of the engine. */
 
 import { OPTIONS } from '../engine/settings/options';
 import { NAMED_TARGETS } from '../engine/stages/missed_targets';

@@ -1,4 +1,4 @@
-/** What a command would write, after all checks and without the work. */
+/** Lists what a command would write, after all checks but without the work. */
 
 import { existsSync } from 'node:fs';
 import { resolve } from 'node:path';

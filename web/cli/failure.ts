@@ -10,7 +10,7 @@ export const EXIT = {
   brokenPipe: 141,
 } as const;
 
-/** What the user can cure: a wrong flag, file or mesh. The engine throws SettingError and plain Errors for these. */
+/** An error that the user can fix: a wrong flag, file or mesh. The engine throws SettingError and plain Errors for these. */
 export class UsageError extends Error {}
 
 /** The exit code and the one line for anything that was thrown. */
@@ -27,7 +27,7 @@ export function describeFailure(error: unknown): { code: number; line: string } 
   };
 }
 
-/** What the user of the command line knows a setting as. */
+/** The name of a setting on the command line. */
 export const flagOf = (setting: SettingName): string => `--${OPTIONS[setting].flag}`;
 
 /** A note of the engine; on the command line settings are flags. */

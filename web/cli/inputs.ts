@@ -1,4 +1,4 @@
-/** What a command reads, and the check of what it writes against that: all before the work. */
+/** The inputs of a command, and the check of its outputs against them, before any work. */
 
 import { existsSync } from 'node:fs';
 import type { SourceFile } from '../engine/document/open';

@@ -92,7 +92,7 @@ export async function optimizeModel(
   return { file, output, report, levels };
 }
 
-/** What became of a model without triangles, in words that follow its name. */
+/** The outcome for a model without triangles, in words that follow its name. */
 export interface PassedOn {
   passedOn: string;
 }
@@ -138,7 +138,7 @@ export const missedOf = (args: Arguments, output: FileOutput, { written }: Writt
     nameOf: flagOf,
   });
 
-/** Takes every body through its stages; warns where a result is not as asked. */
+/** Runs every body through its stages; warns where a result differs from the request. */
 function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   const { settings, fields } = args;
   const binding = args.bind !== null;

@@ -1,4 +1,4 @@
-/** What limber optimize says of its results. */
+/** The summary of results that limber optimize prints. */
 
 import { describeShapeFit } from '../engine/report/fit_words';
 import type { Report } from '../engine/report/report';
@@ -55,7 +55,7 @@ function frequencyWords({ frequency }: StopReport): string[] {
   return [`frequencies within ${besideLimit(error, limit)} % of ${limit} %${less}`];
 }
 
-/** How near the results move in the solver that they are tuned for; none without one. */
+/** How closely the results follow their originals in the solver that they are tuned for; none without one. */
 export const tuningLines = ({ fidelity }: Report): string[] =>
   Object.entries(fidelity?.solvers ?? {}).flatMap(([solver, report]) =>
     describeTuning(solver as SolverName, report),

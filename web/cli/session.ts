@@ -1,4 +1,4 @@
-/** What every command needs: the loaded core, the opened files, progress and warnings. */
+/** The state of a command: the loaded core, the opened files, progress and warnings. */
 
 import type { Core } from '../engine/core/core';
 import { openAnyModel, openModel } from '../engine/document/open';

@@ -81,7 +81,7 @@ interface Carried {
   tuning: SettingsFile | null;
 }
 
-/** Throws UsageError where something could not be done, before any work. */
+/** Throws UsageError for contradictory arguments, before any work. */
 export function readCarried(args: Arguments): Carried {
   checkArguments(args);
   const bindings = args.bind === null ? null : readBinding(basename(args.bind), readText(args.bind));
@@ -112,7 +112,7 @@ function checkCalibration({ settings, operands, settingsFile }: Arguments): void
     );
 }
 
-/** The settings that B was tuned with; null: B is simulated as it is. */
+/** The settings that B was tuned with; null: B is simulated untouched. */
 function readTuning({ settingsFile, settings }: Arguments): SettingsFile | null {
   if (settingsFile === null) return null;
   const name = basename(settingsFile);

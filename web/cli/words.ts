@@ -1,4 +1,4 @@
-/** Numbers and tables as people read them. */
+/** Numbers and tables for people to read. */
 
 /** A share as percent with its sign: "-50.0 %". */
 export function percent(share: number): string {
@@ -26,5 +26,5 @@ export function list(entries: [string, string][]): string {
 /** As `plain`, in one line. */
 export const inOneLine = (text: string): string => plain(text.replace(/\s*\n\s*/g, ' '));
 
-/** Text that may come from a file, without characters that steer a terminal. */
+/** Text that may come from a file, without control characters. */
 export const plain = (text: string): string => text.replace(/[^\n\x20-\x7e\u00a0-\uffff]/g, '?');

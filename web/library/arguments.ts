@@ -1,4 +1,4 @@
-/** What callers give besides models, as far as it can be judged before the worker, which judges the values of options. */
+/** Checks the arguments of callers besides models before anything is sent to the worker, which checks the values of options. */
 
 import { excerpt, quotedValue } from '../engine/core/words';
 import { LimberError } from './options';

@@ -48,7 +48,7 @@ const blobs = new Map<Build, Promise<[string, CoreAddress]>>();
 function fromBlobs(build: Build): Promise<[string, CoreAddress]> {
   const known = blobs.get(build) ?? makeBlobs(build);
   blobs.set(build, known);
-  // A part that could not be loaded is asked for again by the next call.
+  // A part that could not be loaded is requested again by the next call.
   known.catch(() => blobs.delete(build));
   return known;
 }
@@ -68,7 +68,7 @@ async function makeBlobs(build: Build): Promise<[string, CoreAddress]> {
 const addressOf = async (content: Promise<ArrayBuffer>, type: string): Promise<string> =>
   URL.createObjectURL(new Blob([await content], { type }));
 
-/** The bytes that a text stands for: gzip in base64. */
+/** Decodes a text: gzip in base64. */
 function unpacked(text: string): Promise<ArrayBuffer> {
   const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));

@@ -1,4 +1,4 @@
-/** The calls of the library. Each is worked on in one worker, in the order of the calls. */
+/** The calls of the library. One worker runs them in their order. */
 
 import type { Document } from '@gltf-transform/core';
 import { checkOptions, checkRun } from './arguments';
@@ -90,7 +90,7 @@ export const tune: (
 export const modes = (model: Model, options: ModesOptions = {}, run: RunOptions = {}): Promise<ModesResult> =>
   work('modes', [model], options, run);
 
-/** Measures how alike the original and another model are in shape and vibration. */
+/** Measures how similar the original and another model are in shape and vibration. */
 export const compare = (
   original: Model,
   other: Model,
@@ -98,7 +98,7 @@ export const compare = (
   run: RunOptions = {},
 ): Promise<Reported<CompareReport>> => work('compare', [original, other], options, run);
 
-/** Moves the original, and another model beside it unless it is null: times, and how far they part. */
+/** Simulates the original and, unless it is null, another model: times per step, and the motion deviation. */
 export function simulate(
   original: Model,
   other: Model,
@@ -120,14 +120,14 @@ export function simulate(
   return work('simulate', other === null ? [original] : [original, other], options, run);
 }
 
-/** Tells what is in a model and what is wrong with it. */
+/** Reports the contents and the defects of a model. */
 export const inspect = (
   model: Model,
   options: InspectOptions = {},
   run: RunOptions = {},
 ): Promise<Reported> => work('inspect', [model], options, run);
 
-/** Ends the worker and gives its memory back. The next call starts another. */
+/** Ends the worker and frees its memory. The next call starts another. */
 export const close = (): void => workQueue().close();
 
 async function work<Name extends CommandName>(

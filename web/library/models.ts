@@ -65,13 +65,13 @@ async function filesOfDocument(document: Document): Promise<ModelFiles> {
   const inMemory = <One extends { uri?: string }>(all?: One[]): One[] | undefined =>
     all?.map((one) => ({ ...one, ...(names.has(one.uri!) ? { uri: names.get(one.uri!) } : {}) }));
   const named = { ...json, buffers: inMemory(json.buffers), images: inMemory(json.images) };
-  // What the worker cannot read stays in the document as it is.
+  // Data that the worker cannot read stay unchanged in the document.
   const text = new TextEncoder().encode(JSON.stringify({ ...named, extensionsRequired: undefined }));
   const companions = Object.entries(resources).map(([name, bytes]) => ({ name: names.get(name)!, bytes }));
   return [{ name: 'document.gltf', bytes: text }, ...companions];
 }
 
-/** Gives accessors that have no buffer one for a while, as the writer leaves them out otherwise. Returns what takes it again. */
+/** Temporarily gives accessors without a buffer one, because the writer would drop them. Returns the function that undoes it. */
 function lendBuffers(document: Document): () => void {
   const root = document.getRoot();
   const loose = root.listAccessors().filter((accessor) => accessor.getBuffer() === null);
@@ -91,7 +91,7 @@ function unwritable(error: unknown): never {
   );
 }
 
-/** Bundles for browsers have a copy of glTF-Transform; its writer looks for accessors of its own, and the document has others. */
+/** Makes the writer accept accessors of another copy of glTF-Transform: bundles for browsers contain their own copy. */
 function recogniseAccessors(document: Document): void {
   const [accessor] = document.getRoot().listAccessors();
   if (!accessor || accessor instanceof Accessor) return;
@@ -100,7 +100,7 @@ function recogniseAccessors(document: Document): void {
   Object.defineProperty(Accessor, Symbol.hasInstance, { value: isAccessor });
 }
 
-/** Gives the meshes of the document the geometry of the bodies; null leaves one as it is. */
+/** Replaces the geometry of the document's meshes by that of the bodies; null leaves one unchanged. */
 export async function applyBodies(
   document: Document,
   bodies: OptimizeReply['bodies'],
@@ -120,7 +120,7 @@ export async function applyBodies(
   shareAgain(replaced);
 }
 
-/** Gives each mesh primitives and morph targets of its own, as it has in a file: copies of a mesh share them. */
+/** Ends the sharing of primitives and morph targets between copies of a mesh, as in a file. */
 function separatePrimitives(document: Document): void {
   const taken = new Set<Primitive>();
   for (const mesh of document.getRoot().listMeshes())

@@ -1,4 +1,4 @@
-/** What a caller of the library says: settings by the names of the table, and what is no setting. */
+/** The options of the library's calls: settings by the names of the table, and others. */
 
 import type { Document } from '@gltf-transform/core';
 import type { Fidelity } from '../engine/core/core';
@@ -15,7 +15,7 @@ export interface ModelFile {
   bytes: Uint8Array;
 }
 
-/** What a result brings, in memory of its own, as Blob, fetch and others ask for. */
+/** Bytes of a result in a buffer of their own, as Blob, fetch and others require. */
 export type ResultBytes = Uint8Array<ArrayBuffer>;
 
 /** A file of a result. */
@@ -37,7 +37,7 @@ export type CompareOptions = Partial<CommandSettings<'compare'>>;
 export interface OptimizeOptions extends Partial<CommandSettings<'optimize'>> {
   /** the most faces that may be left, of the whole file */
   faces?: number;
-  /** the share of faces that is left, above 0 to 1; 0.5 where nothing else is a target */
+  /** the share of faces to keep, in (0, 1]; 0.5 without any other target */
   ratio?: number;
   /** write strain and curvature as attributes _STRAIN and _CURVATURE */
   fields?: boolean;
@@ -65,7 +65,7 @@ export interface SimulateOptions extends Partial<CommandSettings<'simulate'>> {
   records?: boolean;
 }
 
-/** Where a run is. */
+/** The progress of a run. */
 export interface StageProgress {
   /** the body that is worked on; '' before the first */
   body: string;
@@ -101,10 +101,10 @@ export interface FileLevel extends Level {
   glb: ResultBytes;
 }
 
-/** The parts that a report of the call always has are no optional ones in its type. */
+/** The result of a call with its report, in whose type the parts that are always present are not optional. */
 export interface Reported<OfCall extends Report = Report> {
   report: OfCall;
-  /** what happened on the way, in clauses: "164 seam vertices welded" */
+  /** notes on the run, as clauses: "164 seam vertices welded" */
   notes: string[];
 }
 
@@ -172,7 +172,7 @@ export class LimberError extends Error {
     message: string,
     /** the setting that is refused; null where it is not a setting */
     readonly setting: SettingName | null = null,
-    /** whether the error is the library's own, which is worth a report */
+    /** whether the error is internal, which is worth a report */
     readonly isInternal = false,
   ) {
     super(message);

@@ -1,4 +1,4 @@
-/** What passes between the caller and the worker that holds the core: plain data. */
+/** The messages between the caller and the worker that holds the core: plain data. */
 
 import type { ExportedBody } from '../engine/document/export';
 import type { SourceFile } from '../engine/document/open';
@@ -28,7 +28,7 @@ export interface OptimizeRequest extends OptimizeOptions {
 }
 
 export interface OptimizeReply extends Omit<OptimizedGlb, 'glb'> {
-  /** per body of the file; null: it stays as it is */
+  /** per body of the file; null: it is unchanged */
   bodies: (ExportedBody | null)[];
 }
 
@@ -50,7 +50,7 @@ export interface CoreAddress {
   addresses?: Record<string, string>;
 }
 
-/** The cure where the files of the core are not what they should be. */
+/** The cure for missing or wrong files of the core. */
 export const SERVE_ASSETS =
   'serve all files of limber/assets, of this version and unchanged, from its folder.';
 
@@ -68,7 +68,7 @@ export interface Failure {
   isInternal: boolean;
 }
 
-/** Any number of `progress`, then one of the others. */
+/** Any number of `progress` messages, then one of the others. */
 export type WorkMessage =
   { progress: StageProgress } | { value: Commands[CommandName]['reply'] } | { failure: Failure };
 

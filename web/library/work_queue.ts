@@ -1,4 +1,4 @@
-/** The one worker and what waits for it. It is started by the first request, and again after one that was ended. */
+/** The worker and the queue of requests. The worker is started by the first request, and again after it has ended. */
 
 import { LimberError } from './options';
 import type { RunOptions } from './options';
@@ -32,7 +32,7 @@ class WorkQueue {
   ): Promise<Commands[Name]['reply']> {
     return new Promise((resolve, reject) => {
       const { signal } = run;
-      // Where they cannot be had, their turn tells.
+      // If the models cannot be read, the error is reported when it is their turn.
       models.catch(() => {});
       if (signal?.aborted) return reject(signal.reason);
       const onAbort = () => this.abort(work, signal!.reason);
@@ -50,7 +50,7 @@ class WorkQueue {
     });
   }
 
-  /** Ends the worker and gives its memory back; what runs or waits is rejected. */
+  /** Ends the worker and frees its memory; running and waiting work is rejected. */
   close(): void {
     const open = [...(this.running ? [this.running] : []), ...this.waiting.splice(0)];
     this.running = null;
@@ -118,7 +118,7 @@ class WorkQueue {
     this.running = null;
     if ('value' in message) work.resolve(message.value);
     else work.reject(errorOf(message.failure));
-    // What has failed inside may have left a core that fails again.
+    // An internal failure may have left the core in a broken state.
     if ('failure' in message && message.failure.isInternal) this.endWorker();
     else void this.worker?.then((worker) => this.running ?? worker.keepAlive(false));
     this.next();

@@ -75,7 +75,7 @@ function readRequests(args: Arguments, out: string): { requests: AssetRequest[];
   return { requests, notes: [...unusedPatterns(config, names, path ?? ''), ...notes] };
 }
 
-/** How many work, with what. */
+/** The number of jobs and their resources. */
 export interface Crew {
   jobs: number;
   /** of each job */
@@ -105,7 +105,7 @@ function sayStart({ quiet }: Arguments, requests: AssetRequest[], { jobs, thread
   );
 }
 
-/** What is finished stays; the same command goes on with the rest. */
+/** On a signal, finished assets are kept; the same command continues with the rest. */
 function stopOnSignal(run: BatchRun, unlock: () => void): void {
   const codes = { SIGINT: 130, SIGTERM: 143 } as const;
   for (const signal of ['SIGINT', 'SIGTERM'] as const)

@@ -1,4 +1,4 @@
-/** What of a batch is refused before any work. */
+/** Checks of a batch before any work. */
 
 import { existsSync, realpathSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';

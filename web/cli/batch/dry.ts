@@ -1,4 +1,4 @@
-/** What a batch would do. */
+/** The dry run of a batch. */
 
 import { join } from 'node:path';
 import type { Arguments } from '../arguments';

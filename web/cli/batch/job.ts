@@ -20,9 +20,9 @@ export interface JobOptions {
 }
 
 const MEGABYTE = 2 ** 20;
-/** Milliseconds between looks at the memory. */
+/** Milliseconds between checks of the memory. */
 const LOOKS = 100;
-/** What a process keeps of earlier assets, as part of what it may take, before another one takes over. */
+/** The share of its memory limit that a process may retain from earlier assets before it is replaced. */
 const KEPT_SHARE = 0.5;
 /** Of what a process says before it ends. */
 const MOST_LETTERS = 2000;
@@ -37,7 +37,7 @@ export class Job {
     return this.options.folder;
   }
 
-  /** Works on an asset. A process that ends on the way fails its asset alone. Throws UsageError where the folder cannot be made. */
+  /** Processes an asset. If the process ends early, only its asset fails. Throws UsageError if the folder cannot be created. */
   async work(order: WorkOrder): Promise<WorkDone> {
     const { folder, memory } = this.options;
     rmSync(folder, { recursive: true, force: true });
@@ -73,7 +73,7 @@ export class Job {
     return worker;
   }
 
-  /** What the process answers, or a sentence on why it does not. */
+  /** The answer of the process, or a sentence on why there is none. */
   private outcome(worker: ChildProcess, order: WorkOrder): Promise<WorkDone | string> {
     return new Promise((resolve) => {
       let isTooLarge = false;

@@ -1,4 +1,4 @@
-/** What passes between a batch and the processes that work for it. */
+/** The messages between a batch and its worker processes. */
 
 import type { Arguments } from '../arguments';
 import type { AssetRequest } from './orders';

@@ -1,4 +1,4 @@
-/** What is asked of each asset: the configuration and the flags, made into what limber optimize is asked for. */
+/** The request for each asset: the configuration and the flags as arguments of limber optimize. */
 
 import { join } from 'node:path';
 import { MATERIALS } from '../../engine/settings/materials';
@@ -15,7 +15,7 @@ import { sentenceOn } from './progress';
 import { assetsOf } from './sources';
 import type { Asset, Source } from './sources';
 
-/** The options that the flags of the command line are, with those that its presets stand for. */
+/** The options from the flags of the command line and its presets. */
 export function optionsOfFlags(args: Arguments): AssetOptions {
   const { asked, settings, faces, ratio, batch } = args;
   const ofPresets = namesOfPresets(args);

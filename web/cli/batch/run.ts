@@ -1,4 +1,4 @@
-/** A batch at work: jobs take one asset after the other, and what is up to date is left as it is. */
+/** Runs a batch: jobs take one asset after the other; assets that are up to date are skipped. */
 
 import { rmSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
@@ -52,7 +52,7 @@ export class BatchRun {
 
   constructor(
     private readonly options: BatchOptions,
-    /** the largest files first, so that no job is left alone with one in the end */
+    /** the largest files first, so that none of them is left to a single job at the end */
     private readonly requests: AssetRequest[],
   ) {
     const { args, out, journal, jobs, memory } = options;
@@ -75,7 +75,7 @@ export class BatchRun {
     this.expectResults();
   }
 
-  /** Works on all assets; returns a row for each. */
+  /** Processes all assets; returns a record for each. */
   async all(): Promise<SummaryRow[]> {
     try {
       await Promise.all(this.jobs.map((job) => this.workThrough(job)));

@@ -1,4 +1,4 @@
-/** What a batch tells in the end: of every asset what became of it, as JSON, CSV and HTML. */
+/** The summary of a batch: the outcome of every asset, as JSON, CSV and HTML. */
 
 import { VERSION } from '../../engine/core/version';
 import { counted, grouped } from '../../engine/core/words';

@@ -1,4 +1,4 @@
-/** The compression that --preset brings gives way where the format of the result has none. */
+/** Drops the compression of --preset if the format of the result has none. */
 
 import type { OpenModel } from '../../engine/document/model';
 import { isCompressed, outputForm } from '../../engine/document/write/output_form';

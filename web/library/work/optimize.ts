@@ -24,7 +24,7 @@ import { resultFiles } from './result_bytes';
 import { nameOf } from './session';
 import type { WorkSession } from './session';
 
-/** Throws SettingError where something is asked of a file that a document does not become. Its further levels are files. */
+/** Throws SettingError for options of files that do not apply to a document. Its further levels are files. */
 function checkDocument({ lods, lodStyle, format, compress }: Settings): void {
   const other = 'leave it out, or give the bytes of a model.';
   if (lods.length > 0) {
@@ -92,7 +92,7 @@ export async function optimizeModel(
 const nameOfModel = (source: ModelFiles, { name }: OpenModel): string =>
   source.length === 1 ? source[0].name : name;
 
-/** What the validator finds in the files of a result, and not in those of its source, as notes. */
+/** Notes on validator errors in the files of a result that its source does not have. */
 async function addedErrors(
   { files, levels }: Pick<OptimizeReply, 'files' | 'levels'>,
   source: ModelFiles,
@@ -109,7 +109,7 @@ async function addedErrors(
   return notes;
 }
 
-/** The report with the memory as it is at the end. */
+/** The report with the memory at the end. */
 export const finished = <OfCall extends Report>({ core }: WorkSession, report: OfCall): OfCall => ({
   ...report,
   peakHeapBytes: core.peakHeapBytes(),

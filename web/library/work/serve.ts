@@ -45,7 +45,7 @@ export class Server {
   /** `send` takes a message to the caller. */
   constructor(private readonly send: (message: WorkMessage) => void) {}
 
-  /** Sends progress, and then the reply or why there is none. */
+  /** Sends progress, and then the reply or the failure. */
   async answer(request: WorkRequest): Promise<void> {
     this.isOpen = true;
     try {
@@ -60,7 +60,7 @@ export class Server {
     this.end({ failure: failureOf(error) });
   }
 
-  /** A core that cannot start says so twice; the second time is no answer to the next request. */
+  /** Sends the final message of a request. A core that cannot start fails twice; the second failure is not for the next request. */
   private end(message: WorkMessage): void {
     if (this.isOpen) this.send(message);
     this.isOpen = false;

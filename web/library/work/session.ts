@@ -1,4 +1,4 @@
-/** What every call needs in the worker: the core, the settings, opened models, notes and progress. */
+/** The state of a call in the worker: the core, the settings, opened models, notes and progress. */
 
 import { pairedModel } from '../../engine/body/paired_bodies';
 import { chosenBodies } from '../../engine/body/selection';
@@ -35,7 +35,7 @@ export class WorkSession {
     private readonly onProgress: (progress: StageProgress) => void,
   ) {}
 
-  /** Tells the caller where the run is. */
+  /** Sends the progress of the run to the caller. */
   report({ phase, fraction }: Progress): void {
     this.onProgress({ ...this.where, phase, fraction });
   }
@@ -46,7 +46,7 @@ export class WorkSession {
     return model;
   }
 
-  /** The numbers of the bodies that take part. Throws an Error where none is chosen. */
+  /** The indices of the bodies that take part. Throws an Error where none is chosen. */
   chosen(model: OpenModel): number[] {
     return chosenBodies(model, this.settings);
   }
@@ -54,7 +54,7 @@ export class WorkSession {
   /** A run over the chosen bodies, prepared; `guides`: see FileRunOptions; one without a usable face stays as it is. Throws where no other is left. */
   prepare(model: OpenModel, { guides = false } = {}): FileRun {
     const onStage = (stage: string): void => {
-      // A stage that only passes on the value of another has nothing of its own to tell.
+      // A stage that only passes on the value of another one has no progress of its own.
       if (stage.endsWith(' where wanted')) return;
       this.where.stage = stage;
       this.report({ phase: 'idle', fraction: 0 });
@@ -77,7 +77,7 @@ export class WorkSession {
     this.notes.push(...warnings.map(lineAlone));
   }
 
-  /** Gives back what the runs hold in the core. */
+  /** Releases the handles of the runs in the core. */
   dispose(): void {
     for (const file of this.files) file.dispose();
   }

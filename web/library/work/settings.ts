@@ -23,7 +23,7 @@ const textOf = (file: string): ValueRule => ({
   words: `the text of a ${file}, or null`,
 });
 
-/** What calls take besides settings. */
+/** Options of calls besides settings. */
 const OTHER_OPTIONS: Record<Command, Readonly<Record<string, ValueRule>>> = {
   optimize: {
     faces: FACE_COUNT,
@@ -67,7 +67,7 @@ function checkOther(command: Command, name: string, value: unknown): void {
   if (!isAllowed(value)) throw new Error(`${name} is ${quotedValue(value)}: give ${words}.`);
 }
 
-/** Throws where what is asked of a solver has none. */
+/** Throws an Error for options that need a solver without one. */
 function checkSolver(command: Command, settings: Settings): void {
   if (settings.solver !== 'none') return;
   const cure = `needs a solver: name one of ${SOLVER_NAMES.join(', ')} as "solver".`;

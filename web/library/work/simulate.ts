@@ -1,4 +1,4 @@
-/** Moves a model, and an optimized one beside it. */
+/** Simulates a model, and an optimized one for comparison. */
 
 import type { BodyBinding } from '../../engine/body/body_binding';
 import type { PreparedBody } from '../../engine/body/prepared_body';
@@ -38,7 +38,7 @@ interface Sides {
   others: PreparedBody[] | null;
 }
 
-/** What the other model is moved with besides its mesh. */
+/** What the simulation of the other model uses besides its mesh. */
 interface Carried {
   bindings: BodyBinding[] | null;
   tuning: SettingsFile | null;
@@ -83,7 +83,7 @@ export async function simulateModels(
   return { recording, report: finished(session, report), notes };
 }
 
-/** Refuses what could not be done, before any work. */
+/** Refuses contradictory options before any work. */
 function checkCarried(
   { binding = null, settingsFile = null }: SimulateOptions,
   settings: WorkSession['settings'],
