@@ -7,11 +7,11 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { findClangFormat, root } from './setup/environment.mjs';
-import { wrongArrows } from './structure/arrows.mjs';
-import { importCircles } from './structure/circles.mjs';
+import { wrongDependencies } from './structure/dependencies.mjs';
+import { importCycles } from './structure/cycles.mjs';
 import { missingPaths } from './structure/document_paths.mjs';
 import { struckWords } from './structure/glossary.mjs';
-import { rooms } from './structure/rooms.mjs';
+import { modules } from './structure/modules.mjs';
 import { largeThings } from './structure/sizes.mjs';
 import { readProduct } from './structure/texts.mjs';
 import { doubleTypeNames } from './structure/type_names.mjs';
@@ -74,8 +74,8 @@ const checks = {
   'clang-format': () =>
     command(findClangFormat() ?? 'clang-format', ['--dry-run', '--Werror', ...coreFiles()]),
   'licences of what ships': licences,
-  arrows: ofProduct((files) => wrongArrows(files, rooms)),
-  circles: ofProduct(importCircles),
+  dependencies: ofProduct((files) => wrongDependencies(files, modules)),
+  cycles: ofProduct(importCycles),
   sizes: ofProduct(largeThings),
   'type names': ofProduct(doubleTypeNames),
   glossary: ofProduct((files) => struckWords(files, readGlossary())),

@@ -1,11 +1,11 @@
-// Draws docs/images/architecture.svg: the rooms of scripts/structure/rooms.mjs and the arrows between them.
+// Draws docs/images/architecture.svg: the modules of scripts/structure/modules.mjs and their dependencies.
 // Usage: node scripts/docs/architecture-picture.mjs
 
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { root } from '../setup/environment.mjs';
-import { rooms } from '../structure/rooms.mjs';
+import { modules } from '../structure/modules.mjs';
 
 const box = { width: 104, height: 30, gap: 22, row: 64 };
 const column = { width: 520, gap: 40, margin: 20, top: 70 };
@@ -18,8 +18,8 @@ const colours = {
 };
 
 /**
- * The offset of a room from the middle of its row, in boxes, chosen so that no arrow runs behind another room. A row with a
- * room that is not listed here is spread evenly.
+ * The offset of a module from the middle of its row, in boxes, chosen so that no arrow runs behind another box. A row with a
+ * module that is not listed here is spread evenly.
  */
 const shift = {
   'wasm/base': 0,
@@ -45,20 +45,21 @@ const shift = {
   'web/app': -0.75,
 };
 
-/** Only rooms that are folders are drawn. */
-const drawn = Object.keys(rooms).filter((room) => !/\.\w+$/.test(room));
+/** Only modules that are folders are drawn. */
+const drawn = Object.keys(modules).filter((module) => !/\.\w+$/.test(module));
 
-const isCore = (room) => room.startsWith('wasm/');
-const labelOf = (room) => (room === 'web/app' ? 'app' : room.split('/').at(-1));
-const groupOf = (room) => (isCore(room) ? 'wasm' : room.split('/').slice(0, 2).join('/'));
+const isCore = (module) => module.startsWith('wasm/');
+const labelOf = (module) => (module === 'web/app' ? 'app' : module.split('/').at(-1));
+const groupOf = (module) => (isCore(module) ? 'wasm' : module.split('/').slice(0, 2).join('/'));
 
-/** Rooms that `room` may use. What panels use of the files of web/app is left out: those files assemble the panels. */
-const knownBy = (room) => rooms[room].filter((target) => target !== 'web/app' && drawn.includes(target));
+/** Modules that `module` may use. What panels use of the files of web/app is left out: those files assemble the panels. */
+const knownBy = (module) =>
+  modules[module].filter((target) => target !== 'web/app' && drawn.includes(target));
 
-/** The length of the longest path down from a room; rooms on one row do not use each other. */
-const rankOf = (room) => Math.max(-1, ...knownBy(room).map(rankOf)) + 1;
+/** The length of the longest path down from a module; modules on one row do not use each other. */
+const rankOf = (module) => Math.max(-1, ...knownBy(module).map(rankOf)) + 1;
 
-const knows = (room, target) => knownBy(room).some((next) => next === target || knows(next, target));
+const knows = (module, target) => knownBy(module).some((next) => next === target || knows(next, target));
 
 /** Arrows that are not implied by a chain of other arrows. */
 const plainArrows = drawn.flatMap((from) =>
@@ -67,18 +68,18 @@ const plainArrows = drawn.flatMap((from) =>
     .map((to) => ({ from, to })),
 );
 
-/** Room -> { x, y } of the middle of its box; the core is on the left, everything else on the right. */
+/** Module -> { x, y } of the middle of its box; the core is on the left, everything else on the right. */
 function positions() {
   const places = {};
   for (const side of [true, false]) {
-    const own = drawn.filter((room) => isCore(room) === side);
+    const own = drawn.filter((module) => isCore(module) === side);
     const left = column.margin + (side ? 0 : column.width + column.gap);
     for (const [rank, row] of groupByRank(own))
-      row.forEach((room, i) => {
+      row.forEach((module, i) => {
         const even = i - (row.length - 1) / 2;
-        const offset = row.every((one) => one in shift) ? shift[room] : even;
+        const offset = row.every((one) => one in shift) ? shift[module] : even;
         const x = left + column.width / 2 + offset * (box.width + box.gap);
-        places[room] = { x, y: heightOf() - 60 - rank * box.row };
+        places[module] = { x, y: heightOf() - 60 - rank * box.row };
       });
   }
   return places;
@@ -86,7 +87,7 @@ function positions() {
 
 function groupByRank(list) {
   const groups = new Map();
-  for (const room of list) groups.set(rankOf(room), [...(groups.get(rankOf(room)) ?? []), room]);
+  for (const module of list) groups.set(rankOf(module), [...(groups.get(rankOf(module)) ?? []), module]);
   return groups;
 }
 
@@ -100,11 +101,11 @@ function drawArrow({ from, to }, places) {
   return `<path d="${path}" marker-end="url(#tip)"/>`;
 }
 
-function drawRoom(room, { x, y }) {
+function drawModule(module, { x, y }) {
   const [left, top] = [x - box.width / 2, y - box.height / 2];
   return (
-    `<rect x="${left}" y="${top}" width="${box.width}" height="${box.height}" rx="5" fill="${colours[groupOf(room)]}"/>` +
-    `<text x="${x}" y="${y + 5}">${labelOf(room)}</text>`
+    `<rect x="${left}" y="${top}" width="${box.width}" height="${box.height}" rx="5" fill="${colours[groupOf(module)]}"/>` +
+    `<text x="${x}" y="${y + 5}">${labelOf(module)}</text>`
   );
 }
 
@@ -129,7 +130,7 @@ export function drawArchitecture() {
   const right = column.margin + column.width + column.gap;
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${heightOf()}" font-family="sans-serif" font-size="14" text-anchor="middle">`,
-    '<title>The rooms of Limber; an arrow points to a room that its start may know</title>',
+    '<title>The modules of Limber; an arrow points to a module that its start may depend on</title>',
     '<style>path{fill:none;stroke:#8a94a3}rect{stroke:#5b6573}text{fill:#1c2530}.title{font-weight:bold}</style>',
     '<marker id="tip" markerWidth="7" markerHeight="7" refX="3" refY="3" orient="auto"><path d="M0 0L6 3L0 6" style="fill:none"/></marker>',
     `<rect width="${width}" height="${heightOf()}" fill="#fff" style="stroke:none"/>`,
@@ -137,7 +138,7 @@ export function drawArchitecture() {
     drawTitle('web: engine (green), page and command line (sand), TypeScript', right),
     drawBoundary(places),
     ...plainArrows.map((arrow) => drawArrow(arrow, places)),
-    ...Object.entries(places).map(([room, place]) => drawRoom(room, place)),
+    ...Object.entries(places).map(([module, place]) => drawModule(module, place)),
     '</svg>',
     '',
   ].join('\n');

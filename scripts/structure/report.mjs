@@ -4,10 +4,10 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from '../setup/environment.mjs';
-import { wrongArrows } from './arrows.mjs';
-import { circlesOf } from './circles.mjs';
+import { wrongDependencies } from './dependencies.mjs';
+import { cyclesOf } from './cycles.mjs';
 import { struckNames } from './glossary.mjs';
-import { rooms } from './rooms.mjs';
+import { modules } from './modules.mjs';
 import { folderSizes, functionsOf, lineCount, longFiles, percentile } from './sizes.mjs';
 import { readProduct } from './texts.mjs';
 import { doubleTypeNames } from './type_names.mjs';
@@ -44,10 +44,10 @@ const rows = [
   ['largest file', told(largest(sizes.filter(([path]) => !longFiles[path])))],
   ['files of more than 350 lines', sizes.filter(([path, lines]) => lines > 350 && !longFiles[path]).length],
   ['largest folder', told(largest(Object.entries(folderSizes(files))))],
-  ['rooms', Object.keys(rooms).length],
-  ['arrows between rooms that are not allowed', wrongArrows(files, rooms).length],
-  ['circles of includes and imports', circlesOf(files).length],
-  ['files on circles', circlesOf(files).flat().length],
+  ['modules', Object.keys(modules).length],
+  ['dependencies that are not allowed', wrongDependencies(files, modules).length],
+  ['cycles of includes and imports', cyclesOf(files).length],
+  ['files on cycles', cyclesOf(files).flat().length],
   ['names of types that are defined twice', doubleTypeNames(files).length],
   ['names with struck words', struckNames(files, glossary).length],
 ];

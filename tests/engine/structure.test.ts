@@ -4,11 +4,11 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { drawArchitecture } from '../../scripts/docs/architecture-picture.mjs';
-import { wrongArrows } from '../../scripts/structure/arrows.mjs';
-import { importCircles } from '../../scripts/structure/circles.mjs';
+import { wrongDependencies } from '../../scripts/structure/dependencies.mjs';
+import { importCycles } from '../../scripts/structure/cycles.mjs';
 import { missingPaths } from '../../scripts/structure/document_paths.mjs';
 import { struckWords } from '../../scripts/structure/glossary.mjs';
-import { rooms } from '../../scripts/structure/rooms.mjs';
+import { modules } from '../../scripts/structure/modules.mjs';
 import { largeThings, limits, percentile } from '../../scripts/structure/sizes.mjs';
 import { blankComments, readProduct, wordsOf } from '../../scripts/structure/texts.mjs';
 import { doubleTypeNames } from '../../scripts/structure/type_names.mjs';
@@ -16,7 +16,7 @@ import { doubleTypeNames } from '../../scripts/structure/type_names.mjs';
 const file = (path: string, text: string) => ({ path, text });
 const lines = (count: number, line: string) => `${line}\n`.repeat(count);
 
-describe('arrows', () => {
+describe('dependencies', () => {
   const house = {
     'wasm/base': [],
     'wasm/mesh': ['wasm/base'],
@@ -24,12 +24,12 @@ describe('arrows', () => {
     'web/app': ['web/engine/core'],
   };
 
-  test('an include along an arrow passes, one against it is reported', () => {
+  test('an allowed include passes, one in the other direction is reported', () => {
     const base = file('wasm/base/job.h', '#include "mesh/topology.h"\n');
     const mesh = file('wasm/mesh/topology.h', '#include <vector>\n#include "base/job.h"\n');
-    expect(wrongArrows([mesh], house)).toEqual([]);
-    expect(wrongArrows([base, mesh], house)).toEqual([
-      'wasm/base/job.h imports wasm/mesh/topology.h, but wasm/base must not know wasm/mesh.',
+    expect(wrongDependencies([mesh], house)).toEqual([]);
+    expect(wrongDependencies([base, mesh], house)).toEqual([
+      'wasm/base/job.h imports wasm/mesh/topology.h, but wasm/base must not depend on wasm/mesh.',
     ]);
   });
 
@@ -41,53 +41,57 @@ describe('arrows', () => {
     ["type Page = import('../../app/page').Page;"],
   ])('an engine that knows the page is told: %s', (text) => {
     const page = file('web/app/page.tsx', "import { a } from '../engine/core/a';");
-    const found = wrongArrows([file('web/engine/core/a.ts', text), page], house);
+    const found = wrongDependencies([file('web/engine/core/a.ts', text), page], house);
     expect(found).toEqual([
-      'web/engine/core/a.ts imports web/app/page.tsx, but web/engine/core must not know web/app.',
+      'web/engine/core/a.ts imports web/app/page.tsx, but web/engine/core must not depend on web/app.',
     ]);
   });
 
-  test('a folder that is a room inside another room counts as its own room', () => {
+  test('a folder that is a module inside another module counts as its own module', () => {
     const house = { 'web/app': ['web/app/worker'], 'web/app/worker': [] };
     const worker = file('web/app/worker/worker.ts', "import '../app';");
-    expect(wrongArrows([worker, file('web/app/app.tsx', "import './worker/worker';")], house)).toHaveLength(
-      1,
-    );
+    expect(
+      wrongDependencies([worker, file('web/app/app.tsx', "import './worker/worker';")], house),
+    ).toHaveLength(1);
   });
 
-  test('code outside of all rooms is reported', () => {
-    expect(wrongArrows([file('wasm/attic/box.h', '#pragma once\n')], house)).toEqual([
-      'wasm/attic/box.h lies in no room of scripts/structure/rooms.mjs.',
+  test('code outside of all modules is reported', () => {
+    expect(wrongDependencies([file('wasm/attic/box.h', '#pragma once\n')], house)).toEqual([
+      'wasm/attic/box.h is in no module of scripts/structure/modules.mjs.',
     ]);
   });
 
-  test('the rooms have no cycles, and name only rooms that exist', () => {
-    const knows = (room: string, target: string, seen = new Set<string>()): boolean =>
-      rooms[room].some((next) => next === target || (!seen.has(next) && knows(next, target, seen.add(next))));
+  test('the modules have no cycles, and name only modules that exist', () => {
+    const knows = (module: string, target: string, seen = new Set<string>()): boolean =>
+      modules[module].some(
+        (next) => next === target || (!seen.has(next) && knows(next, target, seen.add(next))),
+      );
     // The page's root assembles the panels, and they use its other files.
-    const inner = Object.keys(rooms).filter((room) => room !== 'web/app' && room !== 'web/app/panels');
-    expect(inner.filter((room) => knows(room, room))).toEqual([]);
-    const known = Object.values(rooms).flat();
-    expect(known.filter((room) => !(room in rooms))).toEqual([]);
+    const inner = Object.keys(modules).filter(
+      (module) => module !== 'web/app' && module !== 'web/app/panels',
+    );
+    expect(inner.filter((module) => knows(module, module))).toEqual([]);
+    const known = Object.values(modules).flat();
+    expect(known.filter((module) => !(module in modules))).toEqual([]);
   });
 });
 
-describe('circles', () => {
+describe('cycles', () => {
   test('a header and a source that include each other through two files are reported', () => {
-    const found = importCircles([
+    const found = importCycles([
       file('wasm/mesh/charts.h', '#include "mesh/corners.h"\n'),
       file('wasm/mesh/corners.h', '#pragma once\n'),
       file('wasm/mesh/corners.cpp', '#include "mesh/corners.h"\n#include "mesh/charts.h"\n'),
     ]);
-    expect(found).toEqual(['These 2 include each other in a circle: wasm/mesh/charts, wasm/mesh/corners.']);
+    expect(found).toEqual(['These 2 include each other in a cycle: wasm/mesh/charts, wasm/mesh/corners.']);
   });
 
   test('type imports count', () => {
     const one = file('web/engine/core/one.ts', "import type { Two } from './two';");
     const two = file('web/engine/core/two.ts', "import type { Three } from './three';");
     const three = file('web/engine/core/three.ts', "import type { One } from './one';");
-    expect(importCircles([one, two, three])).toHaveLength(1);
-    expect(importCircles([one, two])).toEqual([]);
+    expect(importCycles([one, two, three])).toHaveLength(1);
+    expect(importCycles([one, two])).toEqual([]);
   });
 });
 
@@ -284,7 +288,7 @@ test('the checks read the whole product', () => {
   expect(paths.some((path) => path.startsWith('web/app/panels/'))).toBe(true);
 });
 
-test('the picture of the architecture agrees with the rooms', () => {
+test('the picture of the architecture agrees with the modules', () => {
   const picture = join(import.meta.dirname, '..', '..', 'docs', 'images', 'architecture.svg');
   expect(readFileSync(picture, 'utf8'), 'run node scripts/docs/architecture-picture.mjs').toBe(
     drawArchitecture(),

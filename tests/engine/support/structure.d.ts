@@ -4,13 +4,13 @@ interface ProductFile {
   path: string;
   text: string;
 }
-type Rooms = Record<string, string[]>;
+type Modules = Record<string, string[]>;
 
-declare module '*/structure/arrows.mjs' {
-  export function wrongArrows(files: ProductFile[], rooms: Rooms): string[];
+declare module '*/structure/dependencies.mjs' {
+  export function wrongDependencies(files: ProductFile[], modules: Modules): string[];
 }
-declare module '*/structure/circles.mjs' {
-  export function importCircles(files: ProductFile[]): string[];
+declare module '*/structure/cycles.mjs' {
+  export function importCycles(files: ProductFile[]): string[];
 }
 declare module '*/structure/sizes.mjs' {
   export const limits: Record<string, number>;
@@ -26,8 +26,8 @@ declare module '*/structure/glossary.mjs' {
 declare module '*/structure/document_paths.mjs' {
   export function missingPaths(documents: ProductFile[], known: Set<string>): string[];
 }
-declare module '*/structure/rooms.mjs' {
-  export const rooms: Rooms;
+declare module '*/structure/modules.mjs' {
+  export const modules: Modules;
 }
 declare module '*/structure/texts.mjs' {
   export function blankComments(text: string): string;

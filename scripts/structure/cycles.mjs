@@ -27,7 +27,7 @@ function reachableFrom(start, graph) {
 }
 
 /** Groups of units that reach all others of their group, as lists of names. */
-export function circlesOf(files) {
+export function cyclesOf(files) {
   const graph = unitGraph(files.filter(({ text }) => text));
   const reach = new Map([...graph.keys()].map((unit) => [unit, reachableFrom(unit, graph)]));
   const onCircle = [...graph.keys()].filter((unit) => reach.get(unit).has(unit));
@@ -40,7 +40,5 @@ export function circlesOf(files) {
 }
 
 /** One sentence for every cycle. */
-export const importCircles = (files) =>
-  circlesOf(files).map(
-    (group) => `These ${group.length} include each other in a circle: ${group.join(', ')}.`,
-  );
+export const importCycles = (files) =>
+  cyclesOf(files).map((group) => `These ${group.length} include each other in a cycle: ${group.join(', ')}.`);

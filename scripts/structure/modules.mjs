@@ -1,4 +1,4 @@
-// The rooms (folders) of the product and the arrows between them: each room lists the rooms that it may use.
+// The modules (folders) of the product and their dependencies: each module lists the modules that it may use.
 
 /** Folders of wasm; `bind`, which connects the core to JavaScript, may use all of them. */
 export const core = {
@@ -47,34 +47,34 @@ export const library = {
   work: ['options.ts', 'protocol.ts'],
 };
 
-const below = (folder, rooms) =>
+const below = (folder, modules) =>
   Object.fromEntries(
-    Object.entries(rooms).map(([room, known]) => [
-      `${folder}/${room}`,
+    Object.entries(modules).map(([module, known]) => [
+      `${folder}/${module}`,
       known.map((name) => `${folder}/${name}`),
     ]),
   );
 
-const engineRooms = Object.keys(engine).map((room) => `web/engine/${room}`);
-const appRooms = Object.entries(app).map(([room, known]) => [
-  `web/app/${room}`,
-  [...engineRooms, ...known.map((name) => `web/app/${name}`), ...(room === 'panels' ? ['web/app'] : [])],
+const engineModules = Object.keys(engine).map((module) => `web/engine/${module}`);
+const appModules = Object.entries(app).map(([module, known]) => [
+  `web/app/${module}`,
+  [...engineModules, ...known.map((name) => `web/app/${name}`), ...(module === 'panels' ? ['web/app'] : [])],
 ]);
 
-const libraryRooms = Object.entries(library).map(([room, known]) => [
-  `web/library/${room}`,
-  [...engineRooms, ...known.map((name) => `web/library/${name}`)],
+const libraryModules = Object.entries(library).map(([module, known]) => [
+  `web/library/${module}`,
+  [...engineModules, ...known.map((name) => `web/library/${name}`)],
 ]);
 
-/** Room -> rooms that it may use. A room is one file, or a folder with everything below it that is in no other room. */
-export const rooms = {
+/** Module -> modules that it may use. A module is one file, or a folder with everything below it that is in no other module. */
+export const modules = {
   ...below('wasm', { ...core, bind: Object.keys(core) }),
   ...below('web/engine', engine),
-  ...Object.fromEntries(appRooms),
-  'web/app': [...engineRooms, ...Object.keys(app).map((room) => `web/app/${room}`)],
-  ...Object.fromEntries(libraryRooms),
-  'web/library': [...engineRooms, 'web/library/options.ts', 'web/library/protocol.ts'],
-  'web/cli': engineRooms,
+  ...Object.fromEntries(appModules),
+  'web/app': [...engineModules, ...Object.keys(app).map((module) => `web/app/${module}`)],
+  ...Object.fromEntries(libraryModules),
+  'web/library': [...engineModules, 'web/library/options.ts', 'web/library/protocol.ts'],
+  'web/cli': engineModules,
   'web/service_worker': [],
   'web/site': ['web/app/viewer'],
 };
