@@ -13,7 +13,7 @@ const COUNT = Number(process.env.LIMBER_ACTIONS ?? 60);
 const SEED = Number(process.env.LIMBER_SEED ?? 1);
 /** Until then the page fills what it keeps for later. */
 const SETTLED = 100;
-const MOST_GROWTH = 1.05;
+const MAX_GROWTH = 1.05;
 
 /** Bytes that are in use after a collection, with the same file on the same step, as they depend on both: the least of three. */
 async function heapSize(page: Page, client: CDPSession): Promise<number> {
@@ -55,5 +55,5 @@ test('random actions lead to no error, and to no growth of the heap', { tag: '@f
   process.stdout.write(`taken: ${counts}\n`);
   const least = COUNT >= 200 ? Object.keys(ACTIONS).length : 6;
   expect(taken.size).toBeGreaterThanOrEqual(least);
-  if (heap.length > 1) expect(heap.at(-1)! / heap[0]).toBeLessThanOrEqual(MOST_GROWTH);
+  if (heap.length > 1) expect(heap.at(-1)! / heap[0]).toBeLessThanOrEqual(MAX_GROWTH);
 });

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { describeTooLarge, MOST_CORNERS, triangulatePolygon } from '../../web/engine/document/polygon';
+import { describeTooLarge, MAX_CORNERS, triangulatePolygon } from '../../web/engine/document/polygon';
 import { areaOf, triangleArea } from './support/shapes';
 
 /** Vertices in a plane that is not parallel to any axis. */
@@ -127,11 +127,11 @@ describe('a polygon', () => {
     );
     expect(triangulatePolygon(corners(twice), tilted(twice))).toBeNull();
     expect(performance.now() - start).toBeLessThan(3000);
-    expect(describeTooLarge(100_000)).toContain(MOST_CORNERS.toLocaleString('en-US'));
+    expect(describeTooLarge(100_000)).toContain(MAX_CORNERS.toLocaleString('en-US'));
   });
 
   it('of the most corners that are cut whatever their shape is tiled', () => {
-    const star = circle(MOST_CORNERS, (i) => 1 + (i % 2));
-    expectTiling(triangulatePolygon(corners(star), tilted(star))!, MOST_CORNERS);
+    const star = circle(MAX_CORNERS, (i) => 1 + (i % 2));
+    expectTiling(triangulatePolygon(corners(star), tilted(star))!, MAX_CORNERS);
   });
 });

@@ -4,7 +4,7 @@ import sharp from 'sharp';
 import { describe, expect, it } from 'vitest';
 import type { TriangleMesh } from '../../web/engine/core/core';
 import { costAttributesOf } from '../../web/engine/body/cost_attributes';
-import { MOST_PIXELS } from '../../web/engine/document/textures/pixels';
+import { MAX_PIXELS } from '../../web/engine/document/textures/pixels';
 import { openModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { prepareBody } from '../../web/engine/stages/prepared';
@@ -138,7 +138,7 @@ describe('the weights of texture coordinates', () => {
     const broken = good.slice(0, 60);
     const wrong = good.map((byte, i) => (i > 40 ? byte ^ 85 : byte));
     const large = picture(flat, 2);
-    new DataView(large.buffer).setUint32(16, MOST_PIXELS);
+    new DataView(large.buffer).setUint32(16, MAX_PIXELS);
     for (const image of [broken, wrong, large, new Uint8Array([1, 2, 3])])
       expect(await weightsOf(sheetOf(image))).toBeNull();
     const foreign = (material: Material, document: Document) => {
@@ -154,7 +154,7 @@ describe('the weights of texture coordinates', () => {
   it('decode small pictures of a file before a large one that would use up the budget', async () => {
     const large = picture(flat);
     new DataView(large.buffer).setUint32(16, 1024);
-    new DataView(large.buffer).setUint32(20, MOST_PIXELS / 1024);
+    new DataView(large.buffer).setUint32(20, MAX_PIXELS / 1024);
     const small = (material: Material, document: Document) => {
       material.setOcclusionTexture(material.getBaseColorTexture());
       material.getOcclusionTextureInfo()!.setTexCoord(1);

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix, diags, identity
 from scipy.sparse.linalg import splu
 
-MOST_ITERATIONS = 500
+MAX_ITERATIONS = 500
 
 
 def _rows(weights, vertices, gradients, count):
@@ -139,7 +139,7 @@ def lowest_modes(stiffness, mass, count):
     block = np.random.default_rng(0).standard_normal((len(mass), min(2 * count + 8, len(mass))))
     before = np.full(count, np.inf)
     rounding = 8 * np.finfo(float).eps * scaled.diagonal().max()  # of the products below
-    for _ in range(MOST_ITERATIONS):
+    for _ in range(MAX_ITERATIONS):
         block, _ = np.linalg.qr(factor.solve(block))
         values, rotation = np.linalg.eigh(block.T @ (scaled @ block))
         block = block @ rotation
@@ -147,7 +147,7 @@ def lowest_modes(stiffness, mass, count):
         if np.abs(values - before).max() <= max(1e-9 * values[-1], rounding):
             return values, block[:, :count] / root[:, None]
         before = values
-    raise RuntimeError(f"the modes have not converged in {MOST_ITERATIONS} iterations")
+    raise RuntimeError(f"the modes have not converged in {MAX_ITERATIONS} iterations")
 
 
 def frequency_error(eigenvalues, goal):

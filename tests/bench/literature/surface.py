@@ -3,7 +3,7 @@
 import numpy
 
 # The least cosine between the normals of a triangle before and after a collapse.
-LEAST_TURN = 0.2
+MIN_TURN = 0.2
 
 
 def normal(a, b, c):
@@ -56,7 +56,7 @@ class Surface:
     def turns_little(self, i, u, v, position):
         before = normal(*self.corners(i))
         after = normal(*[position if w in (u, v) else self.positions[w] for w in self.triangles[i]])
-        return before @ after > LEAST_TURN * numpy.linalg.norm(before) * numpy.linalg.norm(after)
+        return before @ after > MIN_TURN * numpy.linalg.norm(before) * numpy.linalg.norm(after)
 
     def collapse(self, u, v, position):
         """Puts u at `position` and removes v."""

@@ -26,7 +26,7 @@ export interface FuzzOptions {
 }
 
 /** A single input may take this much time of a processor before it counts as a hang. */
-const MOST_SECONDS = 60;
+const MAX_SECONDS = 60;
 
 /** The time that this program has had on processors: waiting for one is not the fault of an input. */
 function usedSeconds(): number {
@@ -49,7 +49,7 @@ export async function fuzzTarget(
       if (problem !== null) throw new Error(problem);
     }
     const took = usedSeconds() - began;
-    if (took > MOST_SECONDS) throw new Error(`took ${took.toFixed(1)} s`);
+    if (took > MAX_SECONDS) throw new Error(`took ${took.toFixed(1)} s`);
   });
   const found = await fc.check(property, {
     seed,

@@ -5,10 +5,10 @@ import { resultFileKey } from '../worker/protocol';
 import { keptFaces, results, wants } from './store';
 
 /** Larger files are drawn body by body, without their materials. */
-const MOST_FACES_DRAWN = 600_000;
+const MAX_FACES_DRAWN = 600_000;
 
 export const canDrawFile = (): boolean =>
-  results.file.value!.bodies.reduce((sum, { faces }) => sum + faces, 0) <= MOST_FACES_DRAWN;
+  results.file.value!.bodies.reduce((sum, { faces }) => sum + faces, 0) <= MAX_FACES_DRAWN;
 
 export const resultFileNow = (): string => resultFileKey(wants.settings.value, keptFaces.value);
 

@@ -4,13 +4,13 @@ import { say } from '../language/say';
 import type { CallProgress } from '../worker/protocol';
 
 /** No time is told before so much is done, as it would be a guess. */
-const LEAST_DONE = 0.08;
+const MIN_DONE = 0.08;
 /** s; less is not worth reading */
-const LEAST_SECONDS = 3;
+const MIN_SECONDS = 3;
 /** Progress is looked at this often, in s. */
 const EVERY = 0.5;
 /** The times that the last looks lead to differ by at most this factor, otherwise none is told. */
-const MOST_SPREAD = 1.5;
+const MAX_SPREAD = 1.5;
 const LOOKS = 3;
 
 /** 0..1 of the work on all bodies, or of the phase of a single one; null where nothing is known. */
@@ -32,20 +32,20 @@ export function remainingTime(): (seconds: number, share: number | null) => numb
   return (seconds, share) => {
     // A phase has begun anew.
     if (seconds < lookedAt) [ends, lookedAt] = [[], -Infinity];
-    if (share === null || share < LEAST_DONE) return null;
+    if (share === null || share < MIN_DONE) return null;
     if (seconds - lookedAt >= EVERY) {
       ends = [...ends, seconds / share].slice(-LOOKS);
       lookedAt = seconds;
     }
-    const isStable = ends.length === LOOKS && Math.max(...ends) <= MOST_SPREAD * Math.min(...ends);
+    const isStable = ends.length === LOOKS && Math.max(...ends) <= MAX_SPREAD * Math.min(...ends);
     const left = ends.reduce((sum, end) => sum + end, 0) / ends.length - seconds;
-    return isStable && left >= LEAST_SECONDS ? left : null;
+    return isStable && left >= MIN_SECONDS ? left : null;
   };
 }
 
 /** ", 40 s left"; '' where it is unknown or too short to be told. */
 export function describeLeft(seconds: number | null): string {
-  if (seconds === null || seconds < LEAST_SECONDS) return '';
+  if (seconds === null || seconds < MIN_SECONDS) return '';
   return seconds < 90
     ? say(', {seconds} s left', { seconds: Math.round(seconds) })
     : say(', {minutes} min left', { minutes: Math.round(seconds / 60) });

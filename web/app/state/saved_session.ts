@@ -36,7 +36,7 @@ export interface Session {
 const SETTINGS_PREFIX = 'limber-session-';
 const STORE = 'files';
 /** So many tabs that are closed are kept. */
-const MOST_CLOSED_TABS = 2;
+const MAX_CLOSED_TABS = 2;
 /** In bytes; larger files are not kept. */
 const LARGEST = 400e6;
 const REST_MILLISECONDS = 400;
@@ -116,9 +116,9 @@ function deleteOld(store: IDBObjectStore, id: string, live: ReadonlySet<string>)
   all.onsuccess = () => {
     const closed = all.result.filter((key) => !live.has(key[1])).sort(([a], [b]) => b - a);
     for (const key of all.result.filter((one) => one[1] === id)) store.delete(key);
-    for (const key of closed.slice(MOST_CLOSED_TABS)) store.delete(key);
+    for (const key of closed.slice(MAX_CLOSED_TABS)) store.delete(key);
     // Tabs whose files could not be saved have a text alone, which nothing brings back.
-    const kept = closed.slice(0, MOST_CLOSED_TABS).map((key) => key[1]);
+    const kept = closed.slice(0, MAX_CLOSED_TABS).map((key) => key[1]);
     forgetTexts(localStorage, SETTINGS_PREFIX, new Set([...live, ...kept]));
   };
   return all;

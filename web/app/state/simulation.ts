@@ -31,7 +31,7 @@ const REST_MILLISECONDS = 200;
 /** s; a worker whose steps take longer is ended rather than waited for. */
 const LONG_STEP = 0.3;
 /** Steps that the chart shows at most: a minute. */
-const MOST_SAMPLES = 3600;
+const MAX_SAMPLES = 3600;
 
 const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) =>
   ['simulation', 'material', 'solver'].includes(OPTIONS[key].group),
@@ -239,7 +239,7 @@ function applyFrame(frame: TwinFrame): void {
     }
     if (isStill || now - curveAt > CURVE_EVERY) {
       curveAt = now;
-      twin.samples.value = recorded = recorded.slice(-MOST_SAMPLES);
+      twin.samples.value = recorded = recorded.slice(-MAX_SAMPLES);
     }
   });
 }

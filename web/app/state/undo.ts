@@ -25,7 +25,7 @@ interface UndoStep extends Wanted {
 
 /** Changes of one control that follow each other within this time are one, so that a slider is undone as a whole. */
 const TOGETHER_MILLISECONDS = 700;
-const MOST_STEPS = 200;
+const MAX_STEPS = 200;
 /** Changes of these settings are never joined: each stroke and each pin is undone alone. */
 const SINGLE = new Set(['pins', 'paint', 'lock']);
 
@@ -43,11 +43,11 @@ export interface UndoText {
 }
 
 /** Only so many steps survive a reload. */
-const MOST_SAVED = 40;
+const MAX_SAVED = 40;
 
 /** Follows the signals of what can be undone. */
 export function readUndo(): UndoText {
-  const texts = (steps: UndoStep[]): string[] => steps.slice(-MOST_SAVED).map(textOf);
+  const texts = (steps: UndoStep[]): string[] => steps.slice(-MAX_SAVED).map(textOf);
   return { past: texts(past.value), future: texts(future.value) };
 }
 
@@ -141,7 +141,7 @@ function remember(next: Wanted): void {
   last = change;
   if (isGoingOn && past.value.length > 0) return;
   batch(() => {
-    past.value = [...past.value, before].slice(-MOST_STEPS);
+    past.value = [...past.value, before].slice(-MAX_STEPS);
     future.value = [];
   });
 }

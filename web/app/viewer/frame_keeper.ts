@@ -6,7 +6,7 @@ import type { OrbitCamera } from './orbit_camera';
 /** The share of half the picture that what is shown fills at most, where the eye has to step back for it. */
 const FILL = 0.9;
 /** A body that moves farther than this many times the distance is let go. */
-const MOST_FOR_MOTION = 3;
+const MAX_FOR_MOTION = 3;
 /** So many vertices of a moving body are looked at. */
 const SAMPLES = 400;
 
@@ -38,7 +38,7 @@ export class FrameKeeper {
     const spread = Math.max(...bodies.map((positions) => spreadOf(orbit, sampled(positions))));
     if (!(spread > this.motionLimit)) return;
     const factor = (orbit.shareOfWay() * orbit.factors.motion * spread) / (FILL * this.motionLimit);
-    const most = Math.min(MOST_FOR_MOTION, factor);
+    const most = Math.min(MAX_FOR_MOTION, factor);
     if (most > orbit.factors.motion) orbit.stepBack('motion', most, true);
   }
 

@@ -16,7 +16,7 @@ export interface PickedVertex {
 }
 
 /** A tree of more triangles than this is built in a worker, as it would block the page. */
-const MOST_TRIANGLES_AT_ONCE = 30_000;
+const MAX_TRIANGLES_AT_ONCE = 30_000;
 
 export class Picker {
   private constructor(
@@ -27,7 +27,7 @@ export class Picker {
   /** Returns at once for small meshes, later for large ones, or rejects where the worker cannot be loaded or fails. */
   static of(mesh: TriangleMesh): Picker | Promise<Picker> {
     const geometry = geometryOf(mesh);
-    if (faceCount(mesh) <= MOST_TRIANGLES_AT_ONCE) return new Picker(mesh, buildTree(geometry));
+    if (faceCount(mesh) <= MAX_TRIANGLES_AT_ONCE) return new Picker(mesh, buildTree(geometry));
     return buildInWorker(mesh).then(
       (built) => new Picker(mesh, MeshBVH.deserialize(built, geometry, { setIndex: false })),
     );

@@ -5,9 +5,9 @@ import type { TriangleMesh } from '../../engine/core/core';
 import type { DrawnArrays } from './drawn_arrays';
 
 /** The normals of more faces take longer than a frame. */
-const MOST_FACES_AT_ONCE = 6000;
+const MAX_FACES_AT_ONCE = 6000;
 
-export const isPreparedAtOnce = (mesh: TriangleMesh): boolean => faceCount(mesh) <= MOST_FACES_AT_ONCE;
+export const isPreparedAtOnce = (mesh: TriangleMesh): boolean => faceCount(mesh) <= MAX_FACES_AT_ONCE;
 
 /** A worker that answers in the order of the questions. */
 class Preparer {

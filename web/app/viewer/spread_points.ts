@@ -1,7 +1,7 @@
 /** Points spread over triangles, for what needs to know roughly where a surface is. */
 
 const WANTED = 60_000;
-const MOST_PER_SIDE = 12;
+const MAX_PER_SIDE = 12;
 
 /** Every how many triangles there are points on one, of so many. */
 export const spreadStep = (triangles: number): number => Math.max(1, Math.floor(triangles / WANTED));
@@ -13,7 +13,7 @@ export const spreadStep = (triangles: number): number => Math.max(1, Math.floor(
 export function spreadPoints(positions: ArrayLike<number>, index: ArrayLike<number> | null): Float32Array {
   const corners = index?.length ?? positions.length / 3;
   const count = Math.floor(corners / 3);
-  const side = Math.min(MOST_PER_SIDE, Math.max(1, Math.floor(Math.sqrt(WANTED / Math.max(1, count)))));
+  const side = Math.min(MAX_PER_SIDE, Math.max(1, Math.floor(Math.sqrt(WANTED / Math.max(1, count)))));
   const step = spreadStep(count);
   const points = new Float32Array(3 * Math.ceil(count / step) * (((side + 1) * (side + 2)) / 2));
   const vertex = (corner: number): number => 3 * (index ? index[corner] : corner);

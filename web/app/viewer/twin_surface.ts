@@ -5,11 +5,11 @@ import type { BufferGeometry } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 
 /** Bodies with more triangles than this are shaded flat; the shader finds their normals by itself. */
-const MOST_SMOOTH = 150_000;
+const MAX_SMOOTH = 150_000;
 
 /** Whether a mesh is shaded flat: its triangles are so small that smooth shading would look the same. */
 export const isLarge = (mesh: TriangleMesh | null): boolean =>
-  mesh !== null && mesh.triangles.length > 3 * MOST_SMOOTH;
+  mesh !== null && mesh.triangles.length > 3 * MAX_SMOOTH;
 
 /** `groups`: those of the mesh at rest, see CornerNormals, so that creases stay where they are. */
 export function writePositions(
@@ -27,7 +27,7 @@ export function writePositions(
     corners[3 * corner + 2] = positions[at + 2];
   }
   attribute.needsUpdate = true;
-  if (triangles.length <= 3 * MOST_SMOOTH) smooth(geometry, corners, groups);
+  if (triangles.length <= 3 * MAX_SMOOTH) smooth(geometry, corners, groups);
 }
 
 /** Sets the normal of each group of corners to the sum of its triangles' normals, weighted by area. */

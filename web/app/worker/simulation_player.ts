@@ -11,7 +11,7 @@ import type { BodyState, ShowFrame, TwinFrame, TwinRequest, TwinSetup } from './
 const STEP_MILLISECONDS = 1000 * STEP_SECONDS;
 
 /** Steps that are late by more than this, in milliseconds, are dropped: slow motion looks better than a leap. */
-const MOST_BEHIND = 100;
+const MAX_BEHIND = 100;
 
 /** After so many steps the noise floor is given up where the twin is slower than real time. */
 const TRIED_STEPS = 30;
@@ -98,7 +98,7 @@ export class TwinPlayer {
     if (!this.isPlaying) return;
     const now = performance.now();
     if (now >= this.due) {
-      this.due = Math.max(this.due + STEP_MILLISECONDS, now - MOST_BEHIND);
+      this.due = Math.max(this.due + STEP_MILLISECONDS, now - MAX_BEHIND);
       this.advance();
     }
     if (this.isPlaying) this.schedule();

@@ -48,7 +48,7 @@ function makeTwin(setup: TwinSetup): Twin {
 }
 
 /** One thread for each body. */
-const MOST_THREADS = 3;
+const MAX_THREADS = 3;
 
 /** The share of the threads' time that steps may take; the page and its pictures need the rest. */
 const SPARE_SHARE = 0.5;
@@ -57,14 +57,14 @@ const api: SimulationApi = {
   load: async (wasmFolder, showFrame, lifeLock) => {
     await keepAlive(lifeLock);
     show = (frame) => showFrame(moved(frame));
-    core = await loadCore({ wasmFolder, threads: Math.min(MOST_THREADS, navigator.hardwareConcurrency) });
+    core = await loadCore({ wasmFolder, threads: Math.min(MAX_THREADS, navigator.hardwareConcurrency) });
   },
   start: async (asked, request) => {
     const setup = standingSetup(asked);
     player?.end();
     player = null;
     // With a thread for each body the reordered run costs nothing.
-    const keepsNoise = setup.noise === 'always' || core.threads >= MOST_THREADS;
+    const keepsNoise = setup.noise === 'always' || core.threads >= MAX_THREADS;
     const spareSeconds = keepsNoise ? Infinity : SPARE_SHARE * core.threads * STEP_SECONDS;
     const twin = makeTwin(setup);
     player = new TwinPlayer(twin, setup, show, { request, spareSeconds });

@@ -85,11 +85,11 @@ export interface Crew {
 }
 
 /** Threads of one job beyond which more do not help. */
-const MOST_THREADS = 8;
+const MAX_THREADS = 8;
 
 export function crewOf({ batch, settings }: Arguments, assets: number, cores = availableParallelism()): Crew {
   const jobs = Math.max(1, Math.min(batch.jobs || cores, assets));
-  const share = Math.max(1, Math.min(MOST_THREADS, Math.floor(cores / jobs)));
+  const share = Math.max(1, Math.min(MAX_THREADS, Math.floor(cores / jobs)));
   return { jobs, threads: settings.threads || share, memory: memoryLimit(batch.memory, jobs) };
 }
 

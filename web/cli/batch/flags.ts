@@ -54,12 +54,12 @@ export const BATCH_FLAGS: Flag[] = [
 ];
 
 /** More processes than this have no cores to run on. */
-const MOST_JOBS = 256;
+const MAX_JOBS = 256;
 
 /** Throws UsageError. */
 export function readBatchFlags(values: Map<string, string>): BatchFlags {
   return {
-    jobs: readWhole(values, 'jobs', MOST_JOBS),
+    jobs: readWhole(values, 'jobs', MAX_JOBS),
     memory: readMegabytes(values.get('memory') ?? '0', '--memory'),
     config: values.get('config') ?? null,
     again: values.has('again'),

@@ -25,7 +25,7 @@ const LOOKS = 100;
 /** The share of its memory limit that a process may retain from earlier assets before it is replaced. */
 const KEPT_SHARE = 0.5;
 /** Of what a process says before it ends. */
-const MOST_LETTERS = 2000;
+const MAX_LETTERS = 2000;
 
 export class Job {
   private worker: ChildProcess | null = null;
@@ -68,7 +68,7 @@ export class Job {
     });
     this.said = '';
     worker.stderr!.on('data', (text: Buffer) => {
-      this.said = (this.said + text.toString()).slice(-MOST_LETTERS);
+      this.said = (this.said + text.toString()).slice(-MAX_LETTERS);
     });
     return worker;
   }

@@ -31,10 +31,10 @@ export function summaryHtml(
   pictureOf: (asset: string) => Uint8Array | null,
 ): string {
   const rows = [...assets].sort((a, b) => rank(a) - rank(b) || (b.deviation ?? 0) - (a.deviation ?? 0));
-  const body = rows.map((row, i) => htmlRow(row, i < MOST_PICTURES ? pictureOf(row.asset) : null));
+  const body = rows.map((row, i) => htmlRow(row, i < MAX_PICTURES ? pictureOf(row.asset) : null));
   const less =
-    rows.length > MOST_PICTURES
-      ? `<p>Pictures are shown of the first ${grouped(MOST_PICTURES)}, so that the file stays small.</p>`
+    rows.length > MAX_PICTURES
+      ? `<p>Pictures are shown of the first ${grouped(MAX_PICTURES)}, so that the file stays small.</p>`
       : '';
   return `<!doctype html>
 <!-- Limber ${VERSION} -->
@@ -62,7 +62,7 @@ ${body.join('\n')}
 `;
 }
 
-const MOST_PICTURES = 1000;
+const MAX_PICTURES = 1000;
 const HEADS = [
   'Asset',
   'Before and after',

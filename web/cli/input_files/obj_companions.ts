@@ -5,7 +5,7 @@ import { dirname, join } from 'node:path';
 import type { SourceFile } from '../../engine/document/open';
 import {
   libraryPaths,
-  MOST_LIBRARY_BYTES,
+  MAX_LIBRARY_BYTES,
   namedLibraries,
   picturePaths,
 } from '../../engine/document/formats/obj/companion_paths';
@@ -14,7 +14,7 @@ import { picturesNamed, readMtl } from '../../engine/document/formats/obj/mtl';
 import { FoundFiles } from './found_files';
 
 /** Bytes of a line that are looked at. */
-const MOST_OF_LINE = 4096;
+const MAX_LINE_BYTES = 4096;
 
 export interface ObjCompanions {
   /** paths, from the folder of the OBJ, of libraries and of pictures of the materials that it uses */
@@ -61,7 +61,7 @@ function statementsOf({ bytes }: SourceFile, keyword: string): string[] {
   const content = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const found = new Set<string>();
   for (let at = content.indexOf(keyword); at >= 0; at = content.indexOf(keyword, at + 1)) {
-    const line = content.toString('utf8', at, at + MOST_OF_LINE).split(/[\r\n]/, 1)[0];
+    const line = content.toString('utf8', at, at + MAX_LINE_BYTES).split(/[\r\n]/, 1)[0];
     found.add(line.slice(keyword.length).trim());
   }
   return [...found];
@@ -71,9 +71,7 @@ const existing = (paths: (string | null)[]): string[] => [...new Set(paths.filte
 
 /** Null where it is too large to be read. */
 function libraryAt(path: string, name: string): SourceFile | null {
-  return statSync(path).size > MOST_LIBRARY_BYTES
-    ? null
-    : { name, bytes: new Uint8Array(readFileSync(path)) };
+  return statSync(path).size > MAX_LIBRARY_BYTES ? null : { name, bytes: new Uint8Array(readFileSync(path)) };
 }
 
 const picturesRead = (library: SourceFile, used: ReadonlySet<string>): string[] =>

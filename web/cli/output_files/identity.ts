@@ -7,13 +7,13 @@ import { UsageError } from '../failure';
 import { fileError } from '../file_error';
 
 /** As many links in a row as Linux follows. */
-const MOST_LINKS = 40;
+const MAX_LINKS = 40;
 
 /** The path that writing to `path` has to replace: that of the file at the end of its links, which need not exist yet. */
 export function followLinks(path: string): string {
   let end = resolve(path);
   for (let links = 0; isLink(end); ++links) {
-    if (links === MOST_LINKS) throw new UsageError(`${path} is a link that leads back to itself: remove it.`);
+    if (links === MAX_LINKS) throw new UsageError(`${path} is a link that leads back to itself: remove it.`);
     end = resolve(dirname(end), readlinkSync(end));
   }
   // What the link of an open pipe says, as /dev/stdout is one, is no path.

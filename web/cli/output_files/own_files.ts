@@ -7,7 +7,7 @@ import { closeSync, openSync, readSync } from 'node:fs';
 import { markOfZip } from '../../engine/document/archive/zip_mark';
 
 /** Larger JSON inside a GLB is not read: the file then counts as another's. */
-const MOST_BYTES = 1 << 26;
+const MAX_BYTES = 1 << 26;
 const HEADER_BYTES = 20;
 
 /** Whether limber wrote the file; an empty one is nobody's and counts as well. */
@@ -17,14 +17,14 @@ export function isOwnFile(path: string): boolean {
     const start = readStart(file, HEADER_BYTES);
     const jsonLength = start.length === HEADER_BYTES ? start.readUInt32LE(12) : 0;
     const isGlb = start.toString('latin1', 0, 4) === 'glTF';
-    return isOwnContent(readStart(file, isGlb ? HEADER_BYTES + jsonLength : MOST_BYTES));
+    return isOwnContent(readStart(file, isGlb ? HEADER_BYTES + jsonLength : MAX_BYTES));
   } finally {
     closeSync(file);
   }
 }
 
 function readStart(file: number, bytes: number): Buffer {
-  const buffer = Buffer.alloc(Math.min(bytes, MOST_BYTES));
+  const buffer = Buffer.alloc(Math.min(bytes, MAX_BYTES));
   return buffer.subarray(0, readSync(file, buffer, 0, buffer.length, 0));
 }
 

@@ -23,7 +23,7 @@ export interface CostAttributes {
 }
 
 /** The most values per wedge that the core accepts. */
-export const MOST_COST_DIMENSIONS = 8;
+export const MAX_COST_DIMENSIONS = 8;
 /** The length, over the diagonal, that a step from black to white counts as. */
 const COLOUR_LENGTH = 0.05;
 
@@ -47,7 +47,7 @@ export function costAttributesOf(
     ...(texture ? [{ ...texture, scale: textureScale(weld.mesh, wedges, texture.values) / diagonal }] : []),
     ...(colour ? [{ ...colour, scale: COLOUR_LENGTH }] : []),
   ];
-  const room = MOST_COST_DIMENSIONS - sum(shown.map(({ size }) => size));
+  const room = MAX_COST_DIMENSIONS - sum(shown.map(({ size }) => size));
   const poses = room < 3 ? null : posesOf(document, body, weld, Math.floor(room / 3));
   const parts = poses ? [...shown, { ...perWedge(poses, weld.mesh, wedges), scale: 1 / diagonal }] : shown;
   if (parts.length === 0) return null;

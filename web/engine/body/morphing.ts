@@ -5,8 +5,8 @@ import type { Body } from '../document/model';
 import type { PosedPositions } from './skinning';
 
 /** Limits on the morph targets that are used, those that move vertices the most: their number, and their coordinates in all. */
-const MOST_TARGETS = 64;
-const MOST_COORDINATES = 2 ** 24;
+const MAX_TARGETS = 64;
+const MAX_COORDINATES = 2 ** 24;
 
 /** The body with each of its morph targets alone, at its full weight; none where it has no targets. Deterministic. */
 export function posesOfTargets(document: Document, body: Body): PosedPositions[] {
@@ -14,7 +14,7 @@ export function posesOfTargets(document: Document, body: Body): PosedPositions[]
   const counts = body.spans.map(({ primitive }) => primitives[primitive].listTargets().length);
   const targets = Array.from({ length: Math.max(0, ...counts) }, (_, target) => target);
   const moves = targets.map((target) => ({ target, move: moveOf(document, body, target) }));
-  const most = Math.min(MOST_TARGETS, Math.max(1, Math.floor(MOST_COORDINATES / body.positions.length)));
+  const most = Math.min(MAX_TARGETS, Math.max(1, Math.floor(MAX_COORDINATES / body.positions.length)));
   return moves
     .filter(({ move }) => move > 0)
     .sort((a, b) => b.move - a.move || a.target - b.target)

@@ -11,7 +11,7 @@ export type PosedPositions = Float64Array;
 /** Poses of one animation, at evenly spaced times. */
 const POSES_PER_ANIMATION = 8;
 /** Poses in all; with many animations each gives fewer. */
-const MOST_POSES = 64;
+const MAX_POSES = 64;
 
 /** The body in poses of all animations that move its skeleton; none where it has no skin. Deterministic. */
 export function posesInAnimations(document: Document, body: Body): PosedPositions[] {
@@ -21,9 +21,9 @@ export function posesInAnimations(document: Document, body: Body): PosedPosition
   const animations = root.listAnimations();
   if (!node || animations.length === 0) return [];
   const skin = node.getSkin()!;
-  const each = Math.max(1, Math.min(POSES_PER_ANIMATION, Math.floor(MOST_POSES / animations.length)));
+  const each = Math.max(1, Math.min(POSES_PER_ANIMATION, Math.floor(MAX_POSES / animations.length)));
   return animations
-    .slice(0, MOST_POSES)
+    .slice(0, MAX_POSES)
     .flatMap((animation) =>
       timesOf(animation, each).map((time) =>
         skinned(mesh.listPrimitives(), body, jointMatrices(skin, animation, time)),

@@ -8,8 +8,8 @@ import { texturesShownBy } from './shown_textures';
 import type { ShownTexture } from './shown_textures';
 
 /** The most sample points on all triangles, and along an edge of one triangle. */
-const MOST_SAMPLES = 1 << 17;
-const MOST_ALONG_EDGE = 16;
+const MAX_SAMPLES = 1 << 17;
+const MAX_ALONG_EDGE = 16;
 /** Channels of each texture: red, green, blue, and alpha where it is visible. */
 const CHANNELS = 4;
 /** A step from black to white changes three channels, one of alpha as much by itself. */
@@ -111,7 +111,7 @@ class Sampler {
     private readonly moments: Moments,
   ) {
     const faces = textured.mesh.triangles.length / 3;
-    this.mostAlongEdge = Math.max(1, Math.min(MOST_ALONG_EDGE, Math.floor(Math.sqrt(MOST_SAMPLES / faces))));
+    this.mostAlongEdge = Math.max(1, Math.min(MAX_ALONG_EDGE, Math.floor(Math.sqrt(MAX_SAMPLES / faces))));
   }
 
   /** Leaves the sums of the triangle in `moments.sums`. */

@@ -5,7 +5,7 @@ import type { Core, CoreOptions, Progress } from './core';
 import { LARGEST_HEAP, SMALLEST_HEAP } from './memory_size';
 
 /** More threads have not been found to help. */
-const MOST_THREADS = 8;
+const MAX_THREADS = 8;
 
 type Observer = (phase: number, fraction: number) => void;
 type CoreFunctions = Omit<Core, 'threads' | 'job' | 'peakHeapBytes' | 'heapLimit'>;
@@ -33,7 +33,7 @@ type CreateModule = (options: {
  * choice precedes the import, because the threaded module cannot even start without shared memory.
  */
 export async function loadCore(options: CoreOptions): Promise<Core> {
-  const wanted = options.threads === 0 ? Math.min(coreCount(), MOST_THREADS) : options.threads;
+  const wanted = options.threads === 0 ? Math.min(coreCount(), MAX_THREADS) : options.threads;
   const canShare = typeof SharedArrayBuffer !== 'undefined';
   const threads = canShare ? wanted : 1;
   const name = threads > 1 ? 'limber-threads' : 'limber-single';

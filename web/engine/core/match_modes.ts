@@ -5,7 +5,7 @@ import type { ModeSet } from './core';
 type Shapes = Pick<ModeSet, 'shapes' | 'modesPerComponent'>;
 
 /** Shapes with a lower MAC do not match: half of the motion differs. */
-const LEAST_MAC = 0.5;
+const MIN_MAC = 0.5;
 
 /**
  * For each of `modes`, numbers from 1 of `before`, the number of the mode of `after` with the highest MAC, every vertex counting the
@@ -20,7 +20,7 @@ export function matchModes(before: Shapes, after: Shapes, modes: readonly number
       .filter((number) => !taken.has(number))
       .map((number) => ({ number, mac: macOf(own, shapeOf(after, number)) }));
     const best = candidates.reduce((a, b) => (b.mac > a.mac ? b : a), { number: 0, mac: 0 });
-    if (best.mac < LEAST_MAC) return null;
+    if (best.mac < MIN_MAC) return null;
     taken.add(best.number);
     return best.number;
   });

@@ -12,11 +12,11 @@ export function counted(count: number, one: string, many = `${one}s`): string {
 /** A number to be shown beside its limit: with two decimals, or one more than the limit has, so that the two can be told apart. */
 export function besideLimit(value: number, limit: number): string {
   let digits = 1;
-  while (digits < MOST_DIGITS && Number(limit.toFixed(digits)) !== limit) ++digits;
+  while (digits < MAX_DIGITS && Number(limit.toFixed(digits)) !== limit) ++digits;
   return value.toFixed(digits + 1);
 }
 
-const MOST_DIGITS = 20;
+const MAX_DIGITS = 20;
 
 /** The most characters of a text from a file that a sentence quotes. */
 const QUOTED = 100;

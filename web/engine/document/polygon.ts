@@ -12,7 +12,7 @@ const FLAT = 1e-6;
 const NO_AREA = 1e-12;
 
 /** Ear clipping takes quadratic time, so larger polygons have to be convex. */
-export const MOST_CORNERS = 10_000;
+export const MAX_CORNERS = 10_000;
 /** How far corners may dent a larger polygon, relative to its size: by rounding alone. */
 const ROUNDING = 1e-6;
 
@@ -20,13 +20,12 @@ const ROUNDING = 1e-6;
  * Triangulates the polygon `corners` (at least 3 vertex indices, no two neighbours equal). Returns n - 2 index triples, so
  * that no corner is left out and adjacent polygons still meet. The result is a fan from the first corner that sees all
  * others, which every convex polygon has; polygons without one are ear-clipped in the plane of their Newell normal. Null for
- * a polygon of more than MOST_CORNERS corners that is not convex.
+ * a polygon of more than MAX_CORNERS corners that is not convex.
  */
 export function triangulatePolygon(corners: number[], positions: Float32Array): number[] | null {
   if (corners.length === 3) return corners;
   const points = projectPolygon(corners, positions);
-  if (corners.length > MOST_CORNERS)
-    return points === null || isNearlyConvex(points) ? fan(corners, 0) : null;
+  if (corners.length > MAX_CORNERS) return points === null || isNearlyConvex(points) ? fan(corners, 0) : null;
   if (points !== null) {
     for (let start = 0; start < corners.length; ++start)
       if (isFanUpright(points, start)) return fan(corners, start);
@@ -52,7 +51,7 @@ export function trianglesOfPolygon(polygon: number[], positions: Float32Array): 
 
 /** Why a polygon could not be triangulated, as a clause. */
 export const describeTooLarge = (corners: number): string =>
-  `a face that is not convex has ${grouped(corners)} corners, more than the ${grouped(MOST_CORNERS)} that can be triangulated: triangulate it before the export`;
+  `a face that is not convex has ${grouped(corners)} corners, more than the ${grouped(MAX_CORNERS)} that can be triangulated: triangulate it before the export`;
 
 function fan(corners: number[], start: number): number[] {
   const count = corners.length;

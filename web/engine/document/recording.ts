@@ -16,7 +16,7 @@ export interface RecordedBody {
 }
 
 /** Longer motions are subsampled evenly, because every morph target costs memory in a viewer. */
-const MOST_FRAMES = 60;
+const MAX_FRAMES = 60;
 
 /** `stepSeconds` is the time between two steps. The same input gives the same bytes. */
 export async function recordingGlb(bodies: RecordedBody[], stepSeconds: number): Promise<Uint8Array> {
@@ -40,7 +40,7 @@ export async function recordingGlb(bodies: RecordedBody[], stepSeconds: number):
 /** The steps that are kept, evenly spaced, always with the last one. */
 function framesOf({ mesh, positions }: RecordedBody): number[] {
   const steps = positions.length / mesh.positions.length;
-  const count = Math.min(steps, MOST_FRAMES);
+  const count = Math.min(steps, MAX_FRAMES);
   return Array.from({ length: count }, (_, i) => Math.round(((i + 1) * steps) / count) - 1);
 }
 

@@ -52,7 +52,7 @@ export function addedErrors(result: Validation, input: Validation | null): strin
 }
 
 /** Larger files are not checked: the validator takes some 60 ms per megabyte, and several times the file's size in memory. */
-const MOST_BYTES = 64 * 2 ** 20;
+const MAX_BYTES = 64 * 2 ** 20;
 /** The most errors that a sentence lists. */
 const ERRORS_SHOWN = 3;
 
@@ -64,10 +64,10 @@ export async function describeAddedErrors(
   result: SourceFile[],
   source: SourceFile[],
 ): Promise<string | null> {
-  if (sizeOf(result) > MOST_BYTES) return null;
+  if (sizeOf(result) > MAX_BYTES) return null;
   const found = await validateFiles(result);
   if (!found || found.errors === 0) return null;
-  const before = sizeOf(source) > MOST_BYTES ? null : await validateFiles(source);
+  const before = sizeOf(source) > MAX_BYTES ? null : await validateFiles(source);
   const added = addedErrors(found, before);
   if (added.length === 0) return null;
   const shown = added.slice(0, ERRORS_SHOWN).map((message) => message.replace(/\.$/, ''));

@@ -38,7 +38,7 @@ function afterFolders(parts: string[], open: Set<number>): Set<number> {
 }
 
 /** The most patterns that braces may expand to; nested braces are not expanded. */
-const MOST_PATTERNS = 1000;
+const MAX_PATTERNS = 1000;
 
 function expandBraces(pattern: string): string[] {
   const found = /\{([^{}]*)\}/.exec(pattern);
@@ -46,7 +46,7 @@ function expandBraces(pattern: string): string[] {
   const [before, after] = [pattern.slice(0, found.index), pattern.slice(found.index + found[0].length)];
   const ends = expandBraces(after);
   const all = found[1].split(',').flatMap((word) => ends.map((end) => `${before}${word}${end}`));
-  if (all.length > MOST_PATTERNS)
-    throw new Error(`The pattern ${pattern} has more than ${MOST_PATTERNS} forms: give several patterns.`);
+  if (all.length > MAX_PATTERNS)
+    throw new Error(`The pattern ${pattern} has more than ${MAX_PATTERNS} forms: give several patterns.`);
   return all;
 }

@@ -1,6 +1,6 @@
 /** Stages: strain, curvature and attributes of the original, and which of them guide the collapses of a method. */
 
-import { costAttributesOf, MOST_COST_DIMENSIONS } from '../body/cost_attributes';
+import { costAttributesOf, MAX_COST_DIMENSIONS } from '../body/cost_attributes';
 import type { CostAttributes } from '../body/cost_attributes';
 import type { PreparedBody } from '../body/prepared_body';
 import type { ModeSet, StrainGuidance } from '../core/core';
@@ -51,7 +51,7 @@ const costsStage = declareStage({
   needs: { prepared: preparedStage },
   run: ({ document }, { prepared }): CostAttributes | null => {
     const costs = document && costAttributesOf(document, prepared);
-    return costs && costs.dimension <= MOST_COST_DIMENSIONS ? costs : null;
+    return costs && costs.dimension <= MAX_COST_DIMENSIONS ? costs : null;
   },
 });
 

@@ -32,13 +32,13 @@ export const preparedStage = declareStage({
 });
 
 /** The fewest samples of a single body. */
-const FEWEST_SAMPLES = 10_000;
+const MIN_SAMPLES = 10_000;
 const SAMPLES_OF_FACE = 10;
-const MOST_SAMPLES = 500_000;
+const MAX_SAMPLES = 500_000;
 
 /** The number of samples of a body: at least by its faces; the bodies of a file share the minimum of a single one. */
 const samplesAmong = (bodies: number, mesh: TriangleMesh): number =>
-  Math.min(MOST_SAMPLES, Math.max(SAMPLES_OF_FACE * faceCount(mesh), Math.ceil(FEWEST_SAMPLES / bodies)));
+  Math.min(MAX_SAMPLES, Math.max(SAMPLES_OF_FACE * faceCount(mesh), Math.ceil(MIN_SAMPLES / bodies)));
 
 /** Welds and measures a body, usable or not. */
 export function inspectBody(

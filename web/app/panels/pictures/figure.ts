@@ -19,13 +19,13 @@ import { pictures } from './pictures_state';
 import { pngOf } from './stage_picture';
 
 /** Modes that are drawn, at most. */
-const MOST_MODES = 3;
+const MAX_MODES = 3;
 /** Of the diagonal: large enough to be seen in print. */
 const AMPLITUDE = 0.12;
 /** Of each picture, in pixels. */
 const HEIGHT = 720;
 /** Edges of a mesh with more faces cannot be told apart in a picture. */
-const MOST_FACES_WITH_EDGES = 12_000;
+const MAX_FACES_WITH_EDGES = 12_000;
 
 /** A body of the figure with the words below it. */
 interface CaptionedBody extends FigureBody {
@@ -68,7 +68,7 @@ export async function figurePng(viewport: Viewport, job: PictureJob): Promise<Ui
 const movedResult = ({ mesh }: MeshAt, positions: Float32Array): TriangleMesh => ({ ...mesh, positions });
 
 const faces = ({ triangles }: TriangleMesh): number => triangles.length / 3;
-const hasWires = (mesh: TriangleMesh): boolean => faces(mesh) <= MOST_FACES_WITH_EDGES;
+const hasWires = (mesh: TriangleMesh): boolean => faces(mesh) <= MAX_FACES_WITH_EDGES;
 
 const plain = (title: string, mesh: TriangleMesh): CaptionedBody => ({
   ...{ mesh, field: null, hasWires: hasWires(mesh) },
@@ -80,7 +80,7 @@ function modeBodies(mesh: TriangleMesh, modes: ModesResult, overview: StrainOver
   const { diagonal } = results.body.value!;
   const size = mesh.positions.length;
   const chosen = guidingModes().filter((number) => number <= modes.modesPerComponent);
-  return chosen.slice(0, MOST_MODES).map((number) => {
+  return chosen.slice(0, MAX_MODES).map((number) => {
     const shape = modes.shapes.subarray((number - 1) * size, number * size);
     const ranks = overview.ranks.subarray((number - 1) * faces(mesh), number * faces(mesh));
     const leading = modes.modes.find(({ ordinal }) => ordinal === number - 1);

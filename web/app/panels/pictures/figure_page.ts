@@ -19,7 +19,7 @@ const CAPTION = 104;
 const LETTERS = { title: 30, detail: 26 };
 const SCALE = { width: 220, height: 12 };
 /** A figure is printed in one row up to so many pictures, and in two beyond. */
-const MOST_IN_ROW = 5;
+const MAX_IN_ROW = 5;
 
 /** A figure is printed on white, so that its colours are those of the light scheme. */
 const COLOURS = { ground: '#ffffff', text: '#17212b', muted: '#55636f' };
@@ -28,7 +28,7 @@ export function composeFigure(
   pictures: readonly FigurePicture[],
   { isTransparent }: { isTransparent: boolean },
 ): HTMLCanvasElement {
-  const columns = pictures.length > MOST_IN_ROW ? Math.ceil(pictures.length / 2) : pictures.length;
+  const columns = pictures.length > MAX_IN_ROW ? Math.ceil(pictures.length / 2) : pictures.length;
   const rows = Math.ceil(pictures.length / columns);
   const { width, height } = pictures[0].canvas;
   const canvas = document.createElement('canvas');

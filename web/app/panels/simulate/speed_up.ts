@@ -4,7 +4,7 @@ import { figures } from '../../controls/numbers';
 import { say } from '../../language/say';
 
 /** A speed-up below this saves no time that counts. */
-const LEAST_GAIN = 1.1;
+const MIN_GAIN = 1.1;
 /** s; a step that is shorter has so little to do that other work than that on faces shows. */
 const SHORT_STEP = 0.001;
 
@@ -22,7 +22,7 @@ export const speedUp = ({ original, optimized }: StepTimes): string =>
 
 /** What limits the speed-up; '' where nothing does. */
 export function describeSpeedUp({ original, optimized, haveLattice }: StepTimes): string {
-  const isSlow = optimized > 0 && original < LEAST_GAIN * optimized;
+  const isSlow = optimized > 0 && original < MIN_GAIN * optimized;
   if (isSlow && haveLattice) return say('same inside');
   if (isSlow && original < SHORT_STEP) return say('too few faces');
   return '';

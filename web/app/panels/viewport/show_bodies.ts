@@ -29,12 +29,12 @@ import { curvatureScale } from './curvature_scale';
 /** How strongly edges are drawn over a plain surface, and over the colours of a field. */
 const WIRE_STRENGTH = { plain: 0.55, field: 0.42, file: 0.35 };
 /** Edges of a mesh with more faces cannot be told apart in the picture of a whole mesh. */
-const MOST_FACES_WITH_EDGES = 12_000;
+const MAX_FACES_WITH_EDGES = 12_000;
 
 /** Whether edges are drawn: as the user says, otherwise where they can be read and no material is shown. */
 export const isWireShown = (): boolean =>
   view.wire.value ??
-  (!isFileDrawn.value && (results.body.value?.inspection.faces ?? 0) <= MOST_FACES_WITH_EDGES);
+  (!isFileDrawn.value && (results.body.value?.inspection.faces ?? 0) <= MAX_FACES_WITH_EDGES);
 
 export function shownPanes(): PaneName[] {
   if (view.step.value === 'test' && shownMesh.value) return ['original', 'optimized'];

@@ -215,13 +215,13 @@ const isResultFileWanted = (): boolean =>
   isStoppable();
 
 /** Without shared memory a patient task can only be stopped by a fresh worker, which has everything to do again. */
-const MOST_FACES_UNSTOPPABLE = 20_000;
+const MAX_FACES_UNSTOPPABLE = 20_000;
 
 const isMarkingWanted = (): boolean =>
   view.step.value === 'reduce' && results.metrics.value !== null && !isSliding() && isStoppable();
 
 const isStoppable = (): boolean =>
-  client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;
+  client.canStop || (results.history.value?.faces ?? 0) <= MAX_FACES_UNSTOPPABLE;
 
 /** Follows the slider from now on: its faces are asked for once it has rested. */
 export function startResting(): void {

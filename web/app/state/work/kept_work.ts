@@ -7,9 +7,9 @@ import type { Wanted } from '../link';
 type Store = Pick<Storage, 'length' | 'key' | 'getItem' | 'setItem' | 'removeItem'>;
 
 const PREFIX = 'limber-work-';
-const MOST_FILES = 50;
+const MAX_FILES = 50;
 /** Of all files together; the browser has room for some five million, which the open tabs need too. */
-const MOST_CHARACTERS = 1e6;
+const MAX_CHARACTERS = 1e6;
 /** In bytes; the work on larger files is not kept. */
 const LARGEST = 400e6;
 
@@ -44,7 +44,7 @@ export const forgetWork = (store: Store, key: string): void => store.removeItem(
 /** Keeps the text of a link; the work on files that were worked on the longest ago gives way. `at`: ms since 1970. */
 export function keepWork(store: Store, key: string, { link, at }: { link: string; at: number }): void {
   forgetWork(store, key);
-  if (link.length > MOST_CHARACTERS) return;
+  if (link.length > MAX_CHARACTERS) return;
   const others = othersByAge(store);
   let characters = others.reduce((sum, { size }) => sum + size, link.length);
   const drop = (): void => {
@@ -52,7 +52,7 @@ export function keepWork(store: Store, key: string, { link, at }: { link: string
     store.removeItem(name);
     characters -= size;
   };
-  while (others.length >= MOST_FILES || characters > MOST_CHARACTERS) drop();
+  while (others.length >= MAX_FILES || characters > MAX_CHARACTERS) drop();
   for (;;) {
     try {
       return store.setItem(PREFIX + key, JSON.stringify({ at, link }));

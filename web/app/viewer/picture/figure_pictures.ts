@@ -32,7 +32,7 @@ const WIRE_STRENGTH = 0.6;
 /** Width over height of a picture. */
 const SHAPES = { least: 0.55, most: 1.7 };
 /** Vertices that are looked at to find out how large a mesh appears. */
-const MOST_POINTS = 20_000;
+const MAX_POINTS = 20_000;
 
 /** Draws all bodies at one scale and hands out each picture before the next one is drawn. Throws where WebGL2 is missing. */
 export function drawFigure(
@@ -94,7 +94,7 @@ function cameraFor(bodies: readonly FigureBody[], { orientation }: FigureEye): T
 }
 
 function somePoints({ positions, triangles }: TriangleMesh): THREE.Vector3[] {
-  const step = Math.max(1, Math.ceil(triangles.length / MOST_POINTS));
+  const step = Math.max(1, Math.ceil(triangles.length / MAX_POINTS));
   const points: THREE.Vector3[] = [];
   for (let i = 0; i < triangles.length; i += step)
     points.push(new THREE.Vector3().fromArray(positions, 3 * triangles[i]));

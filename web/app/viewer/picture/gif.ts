@@ -11,7 +11,7 @@ export interface GifSize {
 }
 
 /** Of the 256 that a GIF allows, one stands for what stays. */
-const MOST_COLOURS = 255;
+const MAX_COLOURS = 255;
 /** The next frame is drawn over this one. */
 const STAYS = 1;
 
@@ -48,4 +48,4 @@ export class GifFile {
 }
 
 const paletteOf = (pixels: Uint32Array<ArrayBuffer>): Colour[] =>
-  pixels.length > 0 ? quantize(new Uint8ClampedArray(pixels.buffer), MOST_COLOURS) : [[0, 0, 0]];
+  pixels.length > 0 ? quantize(new Uint8ClampedArray(pixels.buffer), MAX_COLOURS) : [[0, 0, 0]];

@@ -12,7 +12,7 @@ import { isLarge } from '../twin_surface';
 export const METHOD_PICTURE = { width: 320, height: 240 };
 /** Of the eye, in radii. */
 const DISTANCE = 4.1;
-const MOST_POLAR = 1.5;
+const MAX_POLAR = 1.5;
 
 export interface PictureLook {
   clay: string;
@@ -86,7 +86,7 @@ export class MethodPictures {
   /** Turns the eye around all meshes, in radians. */
   rotate(azimuth: number, polar: number): void {
     this.azimuth += azimuth;
-    this.polar = Math.max(-MOST_POLAR, Math.min(MOST_POLAR, this.polar + polar));
+    this.polar = Math.max(-MAX_POLAR, Math.min(MAX_POLAR, this.polar + polar));
     this.drawSoon();
   }
 

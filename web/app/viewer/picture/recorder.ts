@@ -9,7 +9,7 @@ const BITS_PER_PIXEL = 0.25;
 /** Frames from one key frame to the next. */
 const KEY_EVERY = 60;
 /** Frames that wait for the encoder, at most. */
-const MOST_WAITING = 4;
+const MAX_WAITING = 4;
 
 export interface RecordedSize {
   width: number;
@@ -70,7 +70,7 @@ export class Recorder implements FrameRecorder {
     frame.close();
     this.count += 1;
     do await new Promise((resolve) => setTimeout(resolve));
-    while (this.encoder.encodeQueueSize > MOST_WAITING && !this.failure);
+    while (this.encoder.encodeQueueSize > MAX_WAITING && !this.failure);
     if (this.failure) throw this.failure;
   }
 

@@ -14,7 +14,7 @@ import { frameSwing } from './frame_swing';
 
 export const THUMBNAIL = { width: 148, height: 104 };
 /** Larger meshes stand still, so that the gallery never slows down the page. */
-const MOST_MOVING_FACES = 40000;
+const MAX_MOVING_FACES = 40000;
 const FRAME_MILLISECONDS = 50;
 /** Of the radius: large enough that modes can be told apart at this size. */
 const AMPLITUDE = 0.32;
@@ -93,7 +93,7 @@ export class Thumbnails {
       amplitude: this.amplitude,
     };
     frameSwing(this.camera, sphere, new THREE.Vector3(0.75, 0.42, 1).applyQuaternion(rotation), swing);
-    if (this.faces > MOST_MOVING_FACES) return void this.drawOnce(mesh, modes, canvases);
+    if (this.faces > MAX_MOVING_FACES) return void this.drawOnce(mesh, modes, canvases);
     this.pictures = modes.map((mode, i) => ({ canvas: canvases[i], ...this.dress(mesh, mode) }));
     this.draw(0);
   }
@@ -153,7 +153,7 @@ export class Thumbnails {
   }
 
   private frame(time: number): void {
-    if (!this.isMoving || this.faces > MOST_MOVING_FACES) return;
+    if (!this.isMoving || this.faces > MAX_MOVING_FACES) return;
     if (time - this.lastDrawn < FRAME_MILLISECONDS) return;
     this.draw(time);
   }

@@ -4,7 +4,7 @@ import type { Node } from '@gltf-transform/core';
 import type { Body, OpenModel } from '../../../engine/document/open';
 
 /** What a picture of a model is drawn from; more would take longer than a small picture is good for. */
-const MOST_NUMBERS = 9 * 4_000_000;
+const MAX_NUMBERS = 9 * 4_000_000;
 
 /** Corners in the scene, `positions[9 t + 3 corner + c]`. Of bodies that no node shows, as they are. */
 export function sceneTriangles({ document, bodies }: OpenModel): Float32Array {
@@ -20,7 +20,7 @@ export function sceneTriangles({ document, bodies }: OpenModel): Float32Array {
   const all: { node: Node | null; body: Body }[] =
     shown.length > 0 ? shown : bodies.map((body) => ({ node: null, body }));
   const numbers = all.reduce((sum, { body }) => sum + 3 * body.indices.length, 0);
-  const positions = new Float32Array(Math.min(numbers, MOST_NUMBERS));
+  const positions = new Float32Array(Math.min(numbers, MAX_NUMBERS));
   let at = 0;
   for (const { node, body } of all) at = write(body, node?.getWorldMatrix() ?? null, { positions, at });
   return positions;

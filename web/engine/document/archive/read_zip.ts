@@ -4,9 +4,9 @@ import { unzipSync } from 'fflate';
 import type { SourceFile } from '../model';
 
 /** The largest ratio at which deflate can compress. */
-const MOST_PER_BYTE = 1032;
+const MAX_PER_BYTE = 1032;
 /** The most bytes that an archive may unpack to. */
-const MOST_BYTES = 2 ** 31;
+const MAX_BYTES = 2 ** 31;
 /** Entries to skip: folders, hidden files, and metadata that operating systems add. */
 const IGNORED = /(^|\/)(\.[^/]*|__MACOSX|Thumbs\.db|desktop\.ini)(\/|$)|\/$/i;
 /** Paths that lead out of the folder, are absolute, or are invalid. */
@@ -26,11 +26,11 @@ export function readZip({ name, bytes }: SourceFile): SourceFile[] {
     if (IGNORED.test(entry.name)) return false;
     packed += entry.size;
     unpacked += entry.originalSize;
-    if (packed > bytes.length || entry.originalSize > MOST_PER_BYTE * entry.size + 1024)
+    if (packed > bytes.length || entry.originalSize > MAX_PER_BYTE * entry.size + 1024)
       throw new Error(
         `${name} declares more data than it can contain (${excerptOf(entry.name)}): pack it again.`,
       );
-    if (unpacked > MOST_BYTES)
+    if (unpacked > MAX_BYTES)
       throw new Error(`${name} unpacks to more than 2 GB: split it into several files.`);
     return true;
   });

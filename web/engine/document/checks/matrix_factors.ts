@@ -18,7 +18,7 @@ export interface MatrixFactors {
 }
 
 /** Far more rounds than are ever needed, since convergence is quadratic. */
-const MOST_ROUNDS = 30;
+const MAX_ROUNDS = 30;
 /** Cosines below this are rounding errors. */
 const ROUNDING = 1e-15;
 /** A column shorter than this share of the longest counts as 0. */
@@ -36,7 +36,7 @@ export function factorsOf(columns: readonly Vector[]): MatrixFactors {
     [0, 1, 0],
     [0, 0, 1],
   ];
-  for (let round = 0; round < MOST_ROUNDS; ++round) {
+  for (let round = 0; round < MAX_ROUNDS; ++round) {
     const isDone = PAIRS.map(([i, j]) => makePerpendicular(axes, turned, [i, j])).every((is) => is);
     if (isDone) break;
   }

@@ -25,7 +25,7 @@ export async function tangentGenerator(document: Document): Promise<GenerateTang
 }
 
 /** Tangents count as MikkTSpace's if this share of corners is within the angle; quantization and other triangulations cost some corners. */
-const LEAST_SHARE = 0.9;
+const MIN_SHARE = 0.9;
 /** cos 5 degrees */
 const SAME_COSINE = 0.9961946980917455;
 
@@ -44,7 +44,7 @@ export function followMikkTSpace(
     const cosine = own[at] * made[at] + own[at + 1] * made[at + 1] + own[at + 2] * made[at + 2];
     if (cosine >= SAME_COSINE && own[at + 3] === made[at + 3]) alike += 1;
   }
-  return alike >= (LEAST_SHARE * own.length) / 4;
+  return alike >= (MIN_SHARE * own.length) / 4;
 }
 
 /**

@@ -8,11 +8,11 @@ import type { Pixels } from './png';
 const BYTES_PER_PIXEL = 64;
 
 /** The most scans of a progressive image; 10 are usual. Each visits all pixels, however few bytes it has. */
-const MOST_SCANS = 100;
+const MAX_SCANS = 100;
 
 /** Throws an Error where the file is broken, has more pixels than `mostPixels` or too many scans. */
 export function decodeJpeg(bytes: Uint8Array, mostPixels: number): Pixels {
-  if (scanCount(bytes) > MOST_SCANS) throw new Error(`The picture has more than ${MOST_SCANS} scans.`);
+  if (scanCount(bytes) > MAX_SCANS) throw new Error(`The picture has more than ${MAX_SCANS} scans.`);
   const { width, height, data } = decode(bytes, {
     useTArray: true,
     formatAsRGBA: false,

@@ -5,7 +5,7 @@ import { isJpeg } from '../formats/jpeg_mark';
 import type { Pixels } from './png';
 
 /** The most pixels that are decoded of a file; they take 0.1 to 0.2 seconds of one processor core. */
-export const MOST_PIXELS = 1 << 20;
+export const MAX_PIXELS = 1 << 20;
 
 interface Decoder {
   sizeOf(bytes: Uint8Array): [number, number] | null;
@@ -38,7 +38,7 @@ export async function loadDecoders(document: Document): Promise<void> {
 
 /**
  * Null if one of the textures of a document is broken, neither a PNG nor a JPEG that can be decoded, or not among those that are
- * decoded: the smallest of the file, as long as they have no more than MOST_PIXELS together.
+ * decoded: the smallest of the file, as long as they have no more than MAX_PIXELS together.
  */
 export function pixelsOf(document: Document, textures: Texture[]): Pixels[] | null {
   if (!chosenOf.has(document)) chosenOf.set(document, chosenAmong(document.getRoot().listTextures()));
@@ -53,7 +53,7 @@ function chosenAmong(textures: Texture[]): Set<Texture> {
     const [width, height] = loaded[formatOf(image)]?.sizeOf(image) ?? [Infinity, 1];
     return { texture, count: width * height };
   });
-  let room = MOST_PIXELS;
+  let room = MAX_PIXELS;
   return new Set(
     sized
       .sort((a, b) => (a.count === b.count ? 0 : a.count - b.count))
@@ -69,7 +69,7 @@ function decodedOnce(image: Uint8Array): Pixels | null {
 
 function decoded(image: Uint8Array): Pixels | null {
   try {
-    return loaded[formatOf(image)]?.decode(image, MOST_PIXELS) ?? null;
+    return loaded[formatOf(image)]?.decode(image, MAX_PIXELS) ?? null;
   } catch {
     return null;
   }

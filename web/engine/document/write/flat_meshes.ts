@@ -47,7 +47,7 @@ export function shownNodes(document: Document): Node[] {
 }
 
 /** The most triangles that a file without instances may have: 1.3 GB of PLY. */
-const MOST_TRIANGLES = 1e8;
+const MAX_TRIANGLES = 1e8;
 const TOO_MANY = 'The scene repeats its meshes too often for OBJ and PLY: write .glb or .gltf.';
 
 /**
@@ -55,7 +55,7 @@ const TOO_MANY = 'The scene repeats its meshes too often for OBJ and PLY: write 
  * these are too many to be written one by one.
  */
 export function flatMeshes(document: Document): FlatMesh[] {
-  let room = MOST_TRIANGLES;
+  let room = MAX_TRIANGLES;
   return shownNodes(document).flatMap((node) => {
     const mesh = node.getMesh();
     const shown = mesh?.listPrimitives().filter(hasTriangles) ?? [];

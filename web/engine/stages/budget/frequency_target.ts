@@ -7,7 +7,7 @@ const CLOSE = 1.02;
 /** Errors do not rise monotonically towards fewer faces, so these shares of the face count that was found are tried as well. */
 const PROBES = [0.95, 0.88, 0.75];
 /** The number of solves after which no further level is probed. */
-const MOST_TRIED = 32;
+const MAX_TRIED = 32;
 
 /**
  * The result with the fewest faces, from `fewest` to `most`, whose error is within the limit; it has itself been evaluated.
@@ -31,7 +31,7 @@ export function fewestFacesWithin<T extends Tried>(
   const lowest = attempt(fewest);
   if (lowest.error <= limit) return finish(lowest, false);
   let best = bisect(attempt, { failing: lowest.faces, most, limit });
-  for (let probe = 0; best && probe < PROBES.length && tried.length < MOST_TRIED;) {
+  for (let probe = 0; best && probe < PROBES.length && tried.length < MAX_TRIED;) {
     const found: T = attempt(Math.floor(PROBES[probe] * best.faces));
     if (found.error > limit || found.faces <= lowest.faces) ++probe;
     else {

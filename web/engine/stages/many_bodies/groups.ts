@@ -12,7 +12,7 @@ export type Usable = FileRun['usable'];
  * A body with more vertices gets all threads for itself. On two threads, half of this limit takes 35 % longer for bodies of 3000 vertices, and twice
  * this limit, with groups of twice the size, saves 27 % for bodies of 6000.
  */
-const MOST_VERTICES = 4000;
+const MAX_VERTICES = 4000;
 /**
  * The vertices of a group, few enough that progress is visible and cancelling loses little. Half of it takes 7 % longer for 2000 bodies of 68 vertices
  * and 39 % for bodies of 3000; twice as much changes times by less than 9 %.
@@ -25,7 +25,7 @@ export function groupsOf(core: Core, some: Usable, settingsOf: (i: number) => Ru
   let room = 0;
   for (const usable of some) {
     const size = vertexCount(usable.run.get(preparedStage, settingsOf(usable.i)).mesh);
-    const isSmall = core.threads > 1 && size <= MOST_VERTICES;
+    const isSmall = core.threads > 1 && size <= MAX_VERTICES;
     if (isSmall && size <= room) {
       groups[groups.length - 1].push(usable);
       room -= size;

@@ -2,7 +2,7 @@
 
 import { isSentence } from '../../checks/reading_failure';
 import type { SourceFile } from '../../model';
-import { MOST_LIBRARY_BYTES, namedLibraries, libraryPaths, pathOf, picturePaths } from './companion_paths';
+import { MAX_LIBRARY_BYTES, namedLibraries, libraryPaths, pathOf, picturePaths } from './companion_paths';
 import { picturesNamed } from './mtl';
 import type { NamedFiles } from './named_files';
 
@@ -45,7 +45,7 @@ function pathBelow(main: string, name: string): string | null {
 
 /** None where the library is too large or not text, since it is not read then. */
 function picturesOf(library: SourceFile): string[] {
-  if (library.bytes.length > MOST_LIBRARY_BYTES) return [];
+  if (library.bytes.length > MAX_LIBRARY_BYTES) return [];
   try {
     return picturesNamed(library);
   } catch (error) {

@@ -3,7 +3,7 @@
 import { companionPath } from '../../checks/companions';
 
 /** A larger library is not read: one with thousands of materials has a megabyte. */
-export const MOST_LIBRARY_BYTES = 2 ** 23;
+export const MAX_LIBRARY_BYTES = 2 ** 23;
 
 /**
  * Per library its paths. `statements`: what follows each `mtllib`. A library with the name of the OBJ comes last, as Blender's importer

@@ -9,7 +9,7 @@ import { hasAlpha } from './pictures';
 import type { Pictures } from './pictures';
 
 /** The largest specular exponent. */
-const MOST_EXPONENT = 1000;
+const MAX_EXPONENT = 1000;
 
 const WHITE: Rgb = [1, 1, 1];
 
@@ -126,7 +126,7 @@ function roughnessOf({ numbers, colours }: MtlMaterial): number {
   const hasHighlights =
     (numbers.get('illum') ?? 2) > 1 && (colours.get('ks') ?? WHITE).some((value) => value > 0);
   const exponent = hasHighlights ? (numbers.get('ns') ?? 0) : 0;
-  return 1 - Math.sqrt(toUnit(exponent / MOST_EXPONENT));
+  return 1 - Math.sqrt(toUnit(exponent / MAX_EXPONENT));
 }
 
 /** Emission above 1 is scaled down, which keeps its hue. */

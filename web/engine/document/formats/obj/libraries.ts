@@ -2,7 +2,7 @@
 
 import { isSentence } from '../../checks/reading_failure';
 import type { SourceFile } from '../../model';
-import { libraryPaths, MOST_LIBRARY_BYTES, namedLibraries } from './companion_paths';
+import { libraryPaths, MAX_LIBRARY_BYTES, namedLibraries } from './companion_paths';
 import type { LeftOut } from './left_out';
 import { readMtl } from './mtl';
 import type { MtlMaterial } from './mtl';
@@ -62,7 +62,7 @@ function readLibrary(
   leftOut: LeftOut,
 ): Map<string, MtlMaterial> {
   try {
-    if (library.bytes.length <= MOST_LIBRARY_BYTES) return readMtl(library, used);
+    if (library.bytes.length <= MAX_LIBRARY_BYTES) return readMtl(library, used);
   } catch (error) {
     if (!isSentence(error)) throw error;
   }

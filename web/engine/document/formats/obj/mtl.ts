@@ -19,7 +19,7 @@ export interface MtlMaterial {
 const COLOURS = new Set(['kd', 'ks', 'ke']);
 const NUMBERS = new Set(['ns', 'd', 'tr', 'pr', 'pm', 'illum']);
 /** The limit on the pictures of a library, each of which is searched for. */
-const MOST_PICTURES = 10_000;
+const MAX_PICTURES = 10_000;
 const MAP = /^(map_|bump$|norm|disp|decal|refl)/;
 
 /**
@@ -41,11 +41,11 @@ export function readMtl({ name, bytes }: SourceFile, wanted: ReadonlySet<string>
   return materials;
 }
 
-/** The pictures that the library names for any use, at most MOST_PICTURES. Throws as `readMtl` does. */
+/** The pictures that the library names for any use, at most MAX_PICTURES. Throws as `readMtl` does. */
 export function picturesNamed({ name, bytes }: SourceFile): string[] {
   const scan = new TextScanner(name, bytes);
   const lines = new Set<string>();
-  for (; !scan.atEnd && lines.size < MOST_PICTURES; scan.nextLine())
+  for (; !scan.atEnd && lines.size < MAX_PICTURES; scan.nextLine())
     if (MAP.test(scan.word().toLowerCase())) lines.add(scan.rest());
   return [...new Set([...lines].map((line) => readMap(line).name))].filter((own) => own !== '');
 }

@@ -25,11 +25,11 @@ const WORDS_OF = new Map<string, { word: true } | { numbers: number }>([
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
 /** The most characters that are read of a line; no path is longer. */
-const MOST_LETTERS = 1 << 13;
+const MAX_LETTERS = 1 << 13;
 
 /** The rest of a line after its keyword; options may stand on either side of the name. */
 export function readMap(rest: string): MtlMap {
-  const line = rest.slice(0, MOST_LETTERS);
+  const line = rest.slice(0, MAX_LETTERS);
   const words = [...line.matchAll(/\S+/g)];
   const options = new Map<string, string[]>();
   const named: RegExpExecArray[] = [];
