@@ -240,7 +240,7 @@ test('a check says whether the substeps are enough, and what to take where they 
   await button(page, 'Check substeps').click();
   await expect(
     page.getByText(
-      /^At 1 substep the deviation of [\d.]+ % is not to be trusted, as 2 move the original alone/,
+      /^At 1 substep the deviation of [\d.]+ % is not reliable, because 2 would move the original itself/,
     ),
   ).toBeVisible({
     timeout: 60_000,
@@ -249,7 +249,7 @@ test('a check says whether the substeps are enough, and what to take where they 
   const wanted = /[\d,]+/.exec(await take.innerText())![0].replaceAll(',', '');
   await take.click();
   await expect(field).toHaveValue(wanted);
-  await expect(page.getByText(/not to be trusted/)).toHaveCount(0);
+  await expect(page.getByText(/is not reliable/)).toHaveCount(0);
 });
 
 test(

@@ -10,7 +10,7 @@ describe('the sentence about substeps', () => {
 
   it('has the deviation of the original from itself, and the substeps to take', () => {
     expect(describeConvergence(found, (substeps) => `take --substeps ${substeps}`)).toBe(
-      'At 20 substeps the deviation of 2.4 % is not to be trusted, as 40 move the original alone by 3.0 %: take --substeps 100.',
+      'At 20 substeps the deviation of 2.4 % is not reliable, because 40 would move the original itself by 3.0 %: take --substeps 100.',
     );
   });
 

@@ -37,7 +37,7 @@ export function describeConvergence(
   if (isConverged) return null;
   const finer = Math.min(2 * substeps, OPTIONS.substeps.max);
   return (
-    `At ${counted(substeps, 'substep')} the deviation of ${percentOf(deviationMean)} is not to be trusted, ` +
-    `as ${finer} move the original alone by ${percentOf(substepDeviation)}: ${take(substepsToTake(convergence))}.`
+    `At ${counted(substeps, 'substep')} the deviation of ${percentOf(deviationMean)} is not reliable, ` +
+    `because ${finer} would move the original itself by ${percentOf(substepDeviation)}: ${take(substepsToTake(convergence))}.`
   );
 }

@@ -66,9 +66,9 @@ export const ENGINE: MessageTable = {
   'an angle would get too small': '角が小さくなりすぎます',
   'the surface would go too far': '表面が離れすぎます',
   // web/engine/motion/convergence.ts
-  'At {count} substep the deviation of {judged} is not to be trusted, as {finer} move the original alone by {moved}: {take}.':
+  'At {count} substep the deviation of {judged} is not reliable, because {finer} would move the original itself by {moved}: {take}.':
     'サブステップ {count} では、ずれ {judged} は信頼できません。{finer} にすると元のメッシュの動きだけで {moved} 変わります。{take}。',
-  'At {count} substeps the deviation of {judged} is not to be trusted, as {finer} move the original alone by {moved}: {take}.':
+  'At {count} substeps the deviation of {judged} is not reliable, because {finer} would move the original itself by {moved}: {take}.':
     'サブステップ {count} では、ずれ {judged} は信頼できません。{finer} にすると元のメッシュの動きだけで {moved} 変わります。{take}。',
   // web/engine/report/level_words.ts
   '{file}: a further level has {count} faces, and the result {number}: give smaller shares of the original to “{name}”.':

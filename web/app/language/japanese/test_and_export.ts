@@ -68,7 +68,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Checking ...': '確認しています...',
   'take {count}': '{count} にしてください',
   'Take {count}': '{count} にする',
-  'Enough: {count} more would move the original by {moved}, little beside the deviation of {judged}.':
+  'Enough: {count} more would move the original by {moved}, which is little compared with the deviation of {judged}.':
     '十分です。{count} 増やしても元のメッシュの動きは {moved} しか変わりません (ずれ {judged} に比べてわずかです)。',
   'Deviation, mean over the surface': 'ずれ (表面全体の平均)',
   'The original against itself with its constraints in another order':

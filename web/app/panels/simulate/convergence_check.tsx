@@ -47,7 +47,7 @@ function Finding(found: Convergence) {
     return (
       <p class="hint">
         {say(
-          'Enough: {count} more would move the original by {moved}, little beside the deviation of {judged}.',
+          'Enough: {count} more would move the original by {moved}, which is little compared with the deviation of {judged}.',
           {
             count: count(found.substeps),
             moved: percent(found.substepDeviation),
