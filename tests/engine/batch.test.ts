@@ -11,6 +11,7 @@ import {
   readFileSync,
   rmSync,
   statSync,
+  symlinkSync,
   utimesSync,
   writeFileSync,
 } from 'node:fs';
@@ -210,6 +211,14 @@ describe('limber batch', () => {
         stderr: expect.stringContaining('src/x.glb: out/src/x.glb is also a model of this batch') as string,
       });
     expect(bytes('out/src/x.glb').equals(before)).toBe(true);
+  });
+
+  it('passes over links that lead nowhere or back to themselves', () => {
+    symlinkSync('gone.obj', path('src/dangling.obj'));
+    symlinkSync('loop.obj', path('src/loop.obj'));
+    const { code, stdout, stderr } = batch('--dry-run', '--p', 'inf');
+    expect([code, stderr]).toEqual([0, '']);
+    expect(stdout).toMatch(/^src\/ring\.obj \(new\) -> out\/ring\.glb {"p":"inf"}$/m);
   });
 
   it('takes files, patterns and unusual names', () => {

@@ -23,7 +23,7 @@ export async function runDryBatch(
     if (reason === null) ++unchanged;
     else {
       const { asset, options } = request;
-      const asked = JSON.stringify(options);
+      const asked = JSON.stringify(options, (_, value: unknown) => (value === Infinity ? 'inf' : value));
       const line = `${asset.path} (${reason}) -> ${join(out, asset.result)}${asked === '{}' ? '' : ` ${asked}`}`;
       process.stdout.write(`${inOneLine(line)}\n`);
     }

@@ -1,10 +1,12 @@
 /** Which models a batch is about, and what they are called below SRC. */
 
 import { existsSync, readdirSync, realpathSync, statSync } from 'node:fs';
+import type { Stats } from 'node:fs';
 import { basename, dirname, join, relative, sep } from 'node:path';
 import { isModelName } from '../../engine/document/format_names';
 import { isPathPattern, matchesPath } from '../../engine/settings/path_pattern';
 import { UsageError } from '../failure';
+import { fileError } from '../file_error';
 import { findAt, identityOf, nameKey } from '../output_files/identity';
 
 export interface Source {
@@ -75,15 +77,34 @@ function walk(folder: string, out: string, entered = new Set<string>()): string[
   const real = realpathSync(folder);
   if (entered.has(real) || (existsSync(out) && real === realpathSync(out))) return [];
   entered.add(real);
-  return readdirSync(folder)
+  return namesIn(folder)
     .filter((name) => !name.startsWith('.'))
     .sort()
     .flatMap((name) => {
       const path = join(folder, name);
-      const found = statSync(path, { throwIfNoEntry: false });
+      const found = statOf(path);
       if (found?.isDirectory()) return walk(path, out, entered);
       return found?.isFile() && isModelName(name) ? [path] : [];
     });
+}
+
+/** Throws UsageError. */
+function namesIn(folder: string): string[] {
+  try {
+    return readdirSync(folder);
+  } catch (error) {
+    throw fileError(`${folder} cannot be read`, error);
+  }
+}
+
+/** Undefined where a link leads nowhere, or back to itself. Throws UsageError where the system cannot look there. */
+function statOf(path: string): Stats | undefined {
+  try {
+    return statSync(path, { throwIfNoEntry: false });
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code === 'ELOOP') return undefined;
+    throw fileError(`${path} cannot be reached`, error);
+  }
 }
 
 /** An asset: a source and what its result is called below OUT. */
