@@ -175,3 +175,20 @@ test('Back goes to the step before, also after a reload, and leaves the page fro
   await page.goBack();
   expect(new URL(page.url()).pathname).toBe('/samples/index.json');
 });
+
+test('Back to a step at which a link still waited does not ask for it again', async ({ page }) => {
+  const current = page.getByRole('navigation', { name: 'Steps' }).locator('[aria-current]');
+  await page.goto('/#quality-weight=0.4&file=kept.obj');
+  await expect(page.getByText('This link is for kept.obj: open that file.')).toBeVisible();
+  await drop(page, writeScratch('other.obj', sheetObj(12)));
+  await expect(page.locator('.filename')).toHaveText('other.obj');
+  await goTo(page, 'Motion');
+  await drop(page, sheet);
+  await expect(page.locator('.filename')).toHaveText('kept.obj');
+  await page.evaluate(() => ((window as unknown as { isSame: boolean }).isSame = true));
+  await page.goBack();
+  await expect(current).toContainText('Model');
+  await page.waitForTimeout(500);
+  expect(await page.evaluate(() => (window as unknown as { isSame?: boolean }).isSame)).toBe(true);
+  expect(new URL(page.url()).hash).toBe('');
+});

@@ -75,10 +75,16 @@ function removeLinkOnceOpen(): void {
   });
 }
 
+/** A link that the user opens in this page begins anew; Back to a step at which one still waited does not ask for it again. */
+function followHash(): void {
+  if (entry().step === undefined) location.reload();
+  else removeLink();
+}
+
 /** What the link asks for; null without a link. A link with an error is reported, and the page starts without it. */
 function readHash(): Wanted | null {
   const { hash } = location;
-  addEventListener('hashchange', () => location.reload());
+  addEventListener('hashchange', followHash);
   try {
     const wanted = readLink(hash);
     // Once its file is open, a reload brings back the session that has grown from it.

@@ -8,6 +8,7 @@ export const STEP_NAMES: readonly Step[] = ['model', 'motion', 'reduce', 'test']
 
 /** What an entry of the history knows. */
 interface Entry {
+  /** absent of an entry that the page has not made, as of a link that was opened in it */
   step?: Step;
   /** whether the link of its address still waits for its file, while another file is open */
   isOtherOpen?: boolean;
@@ -33,6 +34,7 @@ export function goToStep(step: Step): void {
 export function followSteps(): void {
   const stepOfEntry = (): Step => STEP_NAMES.find((name) => name === entry().step) ?? STEP_NAMES[0];
   view.step.value = stepOfEntry();
+  changeEntry({ step: view.step.value });
   effect(() => {
     const step = view.step.value;
     if (step !== stepOfEntry()) history.pushState({ ...entry(), step }, '');
