@@ -53,7 +53,7 @@ function licences() {
 const readGlossary = () => readFileSync(join(root, 'docs', 'glossary.md'), 'utf8');
 const ofProduct = (findProblems) => () => findProblems(readProduct()).join('\n');
 
-/** Compares the paths in the documents with all files that git knows. */
+/** Compares the paths in the documents with all files in git. */
 function documentProblems() {
   const git = spawnSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], {
     cwd: root,

@@ -1,5 +1,6 @@
-// npm run coverage: which lines tests run, in percent, for each folder. Of web/engine by Vitest, of wasm by the native tests.
-// Usage: node scripts/coverage.mjs [--engine | --core]      the first alone, or the second alone; each takes minutes
+// npm run coverage: the percentage of lines that tests run, for each folder: of web/engine by Vitest, of wasm by the
+// native tests. Usage: node scripts/coverage.mjs [--engine | --core] the first alone, or the second alone; each takes
+// minutes
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -10,7 +11,7 @@ import { root, run } from './setup/environment.mjs';
 const results = join(root, 'build', 'coverage');
 const only = process.argv.find((word) => word === '--engine' || word === '--core');
 
-/** Prints a line for each folder directly below `base`, and one for all; `files` has [path, { lines, hit }]. */
+/** Prints a line for each folder directly below `base`, and one for all; `files`: [path, { lines, hit }]. */
 function printTable(base, files) {
   const sums = new Map();
   const add = (name, { lines, hit }) => {
@@ -28,7 +29,7 @@ function printTable(base, files) {
     );
 }
 
-/** Of the engine, by the tests that run in Node; commands that run as programs of their own are not counted. */
+/** Coverage of the engine by the tests that run in Node; commands that run in processes of their own are not counted. */
 function coverEngine() {
   const folder = join(results, 'engine');
   const vitest = join(root, 'node_modules', 'vitest', 'vitest.mjs');
@@ -58,7 +59,7 @@ function coverEngine() {
   if (status !== 0) process.exitCode = 1;
 }
 
-/** Of the core, by the native tests, whose programs write what they ran when they end. */
+/** Coverage of the core by the native tests, whose programs write their counts when they end. */
 function coverCore() {
   const folder = join(root, 'build', 'coverage-core');
   run('cmake', ['--preset', 'coverage']);
@@ -85,7 +86,7 @@ function removeCounts(folder) {
   if (existsSync(folder)) for (const path of countsBelow(folder)) rmSync(path);
 }
 
-/** What gcov says of one object file: its source and all headers. */
+/** The counts of gcov for one object file: its source and all headers. */
 function reportOf(path) {
   const scratch = join(results, 'gcov');
   rmSync(scratch, { recursive: true, force: true });

@@ -29,7 +29,7 @@ function report(result) {
   if (result.finding) console.log(`      ${result.finding}`);
 }
 
-/** Runs a target of the core. The corpus stays in build/fuzz/corpus, and what fails in build/fuzz/findings. */
+/** Runs a target of the core. The corpus is stored in build/fuzz/corpus, failing inputs in build/fuzz/findings. */
 function fuzzCore(target, seconds) {
   const corpus = join(folders.build, 'fuzz', 'corpus', target);
   const findings = join(folders.build, 'fuzz', 'findings', target);

@@ -8,9 +8,9 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statS
 import { basename, join, relative } from 'node:path';
 import { root, run } from './setup/environment.mjs';
 
-/** What builds leave behind, and packages, which are linked. */
+/** The outputs of builds, and packages, which are linked. */
 const LEFT_OUT = new Set(['.git', 'node_modules', 'dist', 'build']);
-/** The two builds differ in their time zone and language, and in the time of day. */
+/** The two builds have different time zones and languages, and run at different times. */
 const ENVIRONMENTS = [
   { TZ: 'UTC', LANG: 'C' },
   { TZ: 'Asia/Tokyo', LANG: 'de_DE.UTF-8' },
@@ -18,7 +18,7 @@ const ENVIRONMENTS = [
 
 const scratch = join(root, 'build', 'reproducible');
 
-/** A copy of the sources in a folder of its own; without what is built of the core unless `withBuiltCore`. */
+/** A copy of the sources in a folder of its own; without the built core unless `withBuiltCore`. */
 function copySources(name, withBuiltCore) {
   const folder = join(scratch, name);
   mkdirSync(folder);
@@ -29,7 +29,7 @@ function copySources(name, withBuiltCore) {
         recursive: true,
         filter: (path) => withBuiltCore || !isBuiltCore(path),
       });
-  // Hard links: packages are at two places, too, and take no room.
+  // Hard links: packages are also in two folders, and take no space.
   run('cp', ['-al', join(root, 'node_modules'), join(folder, 'node_modules')]);
   return folder;
 }
@@ -71,7 +71,7 @@ function hashesOf(folder) {
   return new Map(paths.map((path) => [relative(folder, path), hashOf(path)]));
 }
 
-/** Prints what is not the same in both folders; returns whether all is. */
+/** Prints the differences of both folders; returns whether there are none. */
 function areEqual([first, second]) {
   const [a, b] = [hashesOf(first), hashesOf(second)];
   const names = [...new Set([...a.keys(), ...b.keys()])].sort();
@@ -85,6 +85,6 @@ rmSync(scratch, { recursive: true, force: true });
 mkdirSync(scratch, { recursive: true });
 const page = areEqual(buildPageTwice());
 const core = !process.argv.includes('--core') || areEqual(buildCoreTwice());
-// What differs stays to be looked at.
+// Different outputs are kept for inspection.
 if (page && core) rmSync(scratch, { recursive: true });
 else process.exitCode = 1;

@@ -1,5 +1,5 @@
 // npm run site: builds the site in dist/site, which any host of static files can serve, from a folder of any name: the
-// app, a gallery of results, and the documents. Fails if a link within it leads nowhere.
+// app, a gallery of results, and the documents. Fails if it contains a broken link.
 
 import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -34,7 +34,7 @@ async function writePages() {
   write('gallery/index.html', galleryPage(makeGallery(join(folder, 'gallery', 'models'))));
 }
 
-/** Makes the site of what is built; returns {pages, links, problems}: counts, and a line for every link that leads nowhere. */
+/** Makes the site from the build outputs; returns {pages, links, problems}: counts, and a line for every broken link. */
 export async function makeSite() {
   console.log('Building the site ...');
   rmSync(folder, { recursive: true, force: true });

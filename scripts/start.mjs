@@ -11,7 +11,7 @@ Environment:
   HOST  the address to serve at, for other machines too (default: localhost); the core without threads is then built as well
 `;
 
-/** What to print in place of starting, and the exit code; null: start. */
+/** The text to print instead of starting, and the exit code; null: start. */
 function answerTo(words) {
   if (words.includes('--help') || words.includes('-h')) return { text: USAGE, code: 0 };
   if (words.length === 0) return null;
@@ -21,7 +21,8 @@ function answerTo(words) {
 
 async function start() {
   const { build } = await import('./build.mjs');
-  // Without HTTPS browsers let pages share memory between threads only from localhost; others need the core without threads.
+  // Without HTTPS, browsers only let pages from localhost share memory between threads; other hosts need the core
+  // without threads.
   build({ threadsOnly: process.env.HOST === undefined && availableParallelism() > 1 });
   const { preview } = await import('vite');
   const port = Number(process.env.PORT ?? 4173);

@@ -1,5 +1,5 @@
 // npm test: sets up, builds, runs the suites and ends with one line of totals, "N passed, N failed".
-// npm run test:full (--full) adds what takes long: the whole core natively with the address, undefined-behaviour and
+// npm run test:full (--full) adds the slow tests: the whole core natively with the address, undefined-behaviour and
 // thread sanitizers, and the tests of the page that are tagged @full.
 
 import { mkdirSync, rmSync } from 'node:fs';

@@ -1,11 +1,11 @@
-// Tables in what a benchmark prints, and how their numbers have changed.
+// Finds tables in the output of a benchmark, and compares their numbers.
 
 const cellsOf = (line) => {
   if (/^\s*\|.*\|\s*$/.test(line)) return line.trim().slice(1, -1).split('|');
   return line.includes('\t') ? line.split('\t') : null;
 };
 
-/** Rows of cells, of lines in Markdown's form or with tabs; lines of dashes are left out. */
+/** Rows of cells, from Markdown table lines or tab-separated lines; lines of dashes are skipped. */
 export function rowsOf(text) {
   return text
     .split('\n')
@@ -15,7 +15,7 @@ export function rowsOf(text) {
     .filter((cells) => !cells.every((cell) => /^:?-*:?$/.test(cell)));
 }
 
-/** The number that a cell begins with, also "1,234 ms" and "x1.5"; NaN where it begins with none. */
+/** The number at the beginning of a cell, also "1,234 ms" and "x1.5"; NaN if there is none. */
 export const numberOf = (cell) => {
   const found = /^[x~<]?\s*(-?[\d,]+(?:\.\d+)?(?:e[-+]?\d+)?)/i.exec(cell);
   return found ? Number(found[1].replaceAll(',', '')) : NaN;

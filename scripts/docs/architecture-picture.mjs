@@ -52,7 +52,7 @@ const isCore = (module) => module.startsWith('wasm/');
 const labelOf = (module) => (module === 'web/app' ? 'app' : module.split('/').at(-1));
 const groupOf = (module) => (isCore(module) ? 'wasm' : module.split('/').slice(0, 2).join('/'));
 
-/** Modules that `module` may use. What panels use of the files of web/app is left out: those files assemble the panels. */
+/** Modules that `module` may use. The use of files of web/app by panels is ignored: those files assemble the panels. */
 const knownBy = (module) =>
   modules[module].filter((target) => target !== 'web/app' && drawn.includes(target));
 

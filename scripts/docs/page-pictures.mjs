@@ -1,4 +1,4 @@
-// Takes the pictures of the page that the README shows, the moving one included. Usage, after `npm run build`:
+// Takes the pictures of the page for the README, including the animated one. Usage, after `npm run build`:
 // node scripts/docs/page-pictures.mjs [name ...]
 
 import { spawn } from 'node:child_process';

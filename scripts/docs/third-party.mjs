@@ -1,4 +1,5 @@
-// Writes THIRD_PARTY.md, which lists what ships of others, from the lock file; a test checks that it is current.
+// Writes THIRD_PARTY.md, which lists the third-party software that ships, from the lock file; a test checks that it is
+// current.
 //
 //   node scripts/docs/third-party.mjs
 

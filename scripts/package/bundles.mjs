@@ -6,18 +6,18 @@ import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { root } from '../setup/environment.mjs';
 
-/** Its files are looked for where it is installed. */
+/** External, because its files are found relative to its installation. */
 const DRACO = 'draco3dgltf';
-/** Callers pass in its objects. */
+/** External, because callers pass in its objects. */
 const GLTF = '@gltf-transform/core';
 
-/** No module of the library does anything when it is loaded. */
+/** No module of the library has side effects when loaded. */
 const PURE = { treeshake: { moduleSideEffects: false } };
 
 const source = (...path) => join(root, 'web', ...path);
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
 
-/** Settings of every bundle: `output` of rolldown, into `folder`; other files there stay. */
+/** Settings of every bundle: `output` of rolldown, into `folder`; other files there are kept. */
 const bundle = (folder, input, output, others = {}) => ({
   configFile: false,
   root,
@@ -35,7 +35,7 @@ const bundle = (folder, input, output, others = {}) => ({
   },
 });
 
-/** The command line, and the worker of the library in Node, with all that they use but Draco, which finds its own files. */
+/** The command line, and the worker of the library in Node, with all dependencies except Draco, which finds its own files. */
 const programs = (folder) =>
   bundle(
     folder,
@@ -53,7 +53,7 @@ const browserWorker = (folder) =>
     { build: { minify: true, assetsInlineLimit: Infinity, modulePreload: false } },
   );
 
-/** What callers import in Node; glTF-Transform is theirs. */
+/** The library for Node; glTF-Transform is imported from the caller's installation. */
 const nodeLibrary = (folder) =>
   bundle(
     folder,
@@ -63,8 +63,8 @@ const nodeLibrary = (folder) =>
   );
 
 /**
- * What callers import in browsers; `payload` has the worker and the core as texts. What it needs of glTF-Transform is inside, for
- * the whole of it names files of Node, which webpack and esbuild refuse for browsers.
+ * The library for browsers; `payload` has the worker and the core as texts. The needed parts of glTF-Transform are
+ * bundled, because the whole package refers to Node modules, which webpack and esbuild refuse for browsers.
  */
 const browserLibrary = (folder, payload) =>
   bundle(
@@ -100,7 +100,7 @@ function payloadOf(assets) {
   return { worker, single: core('single'), threads: core('threads') };
 }
 
-/** The glue of Emscripten starts its threads from a file beside it, which a blob has not: they start from the blob itself. */
+/** The glue of Emscripten starts its threads from a neighbouring file, which a blob does not have: they start from the blob itself. */
 function startedFromBlob(glue) {
   const own = 'new URL(`limber-threads.js`,import.meta.url)';
   if (glue.includes('PThread') && !glue.includes(own))
@@ -108,7 +108,7 @@ function startedFromBlob(glue) {
   return glue.replaceAll(own, 'import.meta.url');
 }
 
-/** Writes all bundles into `folder`, in whose `assets` the core is. Returns the ids of the modules that they have something of. */
+/** Writes all bundles into `folder`, whose `assets` contain the core. Returns the ids of the modules that contributed code. */
 export async function writeBundles(folder) {
   const modules = new Set();
   const run = async (config) => {

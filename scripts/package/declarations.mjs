@@ -1,10 +1,10 @@
-// The declarations of the library: those that tsc emits, as far as the library's own reach, with endings in their imports.
+// The declarations of the library: those of tsc that the library's own entry reaches, with endings in their imports.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import ts from 'typescript';
 
-/** Copies `entry` (below `from`) and every declaration that it leads to into `to`. Imports get the ending that Node asks for. */
+/** Copies `entry` (below `from`) and every declaration that it leads to into `to`. Imports get the ending that Node requires. */
 export function copyDeclarations(from, entry, to) {
   const open = [join(from, entry)];
   const done = new Set(open);

@@ -1,18 +1,18 @@
-// The manifest of the npm package. Name, version and all that describes it are those of the repository.
+// The manifest of the npm package. Name, version and description fields are those of the repository.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { builtinModules } from 'node:module';
 import { join } from 'node:path';
 import ts from 'typescript';
 
-/** Packages whose objects callers pass in: any version that theirs can be, so that there is one copy of each. */
+/** Packages whose objects callers pass in: with a range of all supported versions, so that there is one copy of each. */
 const SHARED = /^@gltf-transform\//;
 
 /** The packages that the files in `folder` import. */
 function importedPackages(folder) {
   const names = new Set();
   for (const name of readdirSync(folder, { recursive: true })) {
-    // The scripts and the worker of assets are complete.
+    // The scripts and the worker in assets have no imports.
     if (!/\.(mjs|d\.ts)$/.test(name) || name.startsWith('assets')) continue;
     const { importedFiles } = ts.preProcessFile(readFileSync(join(folder, name), 'utf8'), true, true);
     for (const { fileName } of importedFiles)

@@ -1,5 +1,5 @@
-// A plugin of Vite for the built page: the core lies in a folder that is named after its bytes, so that a page that is still open
-// never loads the core of a newer version, and never one half of each.
+// A plugin of Vite for the built page: the core is in a folder that is named by a hash of its bytes, so that a page
+// that is still open never loads the core of a newer version, or a mixture of both.
 
 import { createHash } from 'node:crypto';
 import { mkdirSync, readdirSync, readFileSync, renameSync } from 'node:fs';
@@ -13,7 +13,7 @@ function hashOf(folder) {
   return hash.digest('hex').slice(0, 12);
 }
 
-/** `core`: the folder with the core, of which the build copies the files to wasm/ of the page. */
+/** `core`: the folder with the core, whose files the build copies to wasm/ of the page. */
 export function coreFolder(core = join(root, 'public', 'wasm')) {
   let [version, folder] = ['', ''];
   return {

@@ -7,7 +7,7 @@ const isolation = {
   'Cross-Origin-Resource-Policy': 'same-origin',
 };
 
-/** What the page may load and run. Scripts come from its own files only, and none is made from text. */
+/** The content security policy. Scripts only come from the page's own files, and none is created from text. */
 export const policy = [
   "default-src 'self'",
   "script-src 'self' 'wasm-unsafe-eval'",
@@ -23,5 +23,5 @@ export const policy = [
 
 export const headers = { ...isolation, 'Content-Security-Policy': policy };
 
-/** The development server's reload of modules needs inline scripts, so it sends no policy. */
+/** The module reloading of the development server needs inline scripts, so it sends no policy. */
 export const developmentHeaders = isolation;

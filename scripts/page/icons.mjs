@@ -9,7 +9,7 @@ const svg = readFileSync(join(root, 'public', 'icon.svg'), 'utf8');
 const browser = await chromium.launch({ executablePath: findChromium() });
 for (const size of [192, 512]) {
   const page = await browser.newPage({ viewport: { width: size, height: size } });
-  // A maskable icon has no corners of its own: the system cuts them.
+  // A maskable icon has square corners: the system crops them.
   await page.setContent(`<body style="margin:0;background:#1c3768">${svg}`);
   await page.screenshot({ path: join(root, 'public', `icon-${size}.png`) });
 }

@@ -24,7 +24,7 @@ function filesOf(folder) {
         .update(readFileSync(join(folder, path)))
         .digest('hex'),
     ]);
-  // Hosts may send another address for index.html on to its folder.
+  // Hosts may redirect the address of index.html to its folder.
   return Object.fromEntries(entries.map(([path, hash]) => [path === 'index.html' ? './' : path, hash]));
 }
 

@@ -1,5 +1,5 @@
-// Filters the light of three.js's plain room once, so that no page has to: makes web/app/viewer/room_light.bin.
-// To be run again after three.js changes its room or its filtering. Usage: node scripts/page/room-light.mjs
+// Filters the light of three.js's plain room once, so that pages need not: writes web/app/viewer/room_light.bin. Must
+// be run again after three.js changes its room or its filtering. Usage: node scripts/page/room-light.mjs
 //
 // The file holds the levels of a cube map one after the other, each with faces of half the width of the one before, and
 // of each level the faces +X, -X, +Y, -Y, +Z and -Z: one 32-bit word per texel, the format RGB9_E5 of OpenGL ES 3.0.
@@ -63,8 +63,8 @@ function packColour(red, green, blue) {
 }
 
 /**
- * Cube maps that were loaded are looked up in the mirror of the YZ plane, other than those that were drawn: both X faces
- * change places, and every face is mirrored.
+ * Unlike rendered cube maps, loaded ones are looked up mirrored at the YZ plane: both X faces are swapped, and every
+ * face is mirrored.
  */
 const LOADED_ORDER = [1, 0, 2, 3, 4, 5];
 

@@ -5,9 +5,9 @@ import { join } from 'node:path';
 import { findGoogleTest, folders, outputOf, root, run } from './environment.mjs';
 
 /**
- * What a build is started through, so that its compilers always get the same addresses: LLVM before version 23 orders the handlers of
- * exceptions by the addresses of their blocks (llvm/llvm-project issue 204883), and each build would give other bytes. Nothing where
- * the system does not allow it.
+ * The command that starts a build so that its compilers always get the same addresses: LLVM before version 23 orders
+ * the handlers of exceptions by the addresses of their blocks (llvm/llvm-project issue 204883), so that each build
+ * would give different bytes. Empty if the system does not allow it.
  */
 const FIXED_ADDRESSES = outputOf('setarch', '-R', 'true') === null ? [] : ['setarch', '-R'];
 
@@ -32,7 +32,7 @@ export function buildPreset(preset, targets, { emscripten, headers, compiler, qu
 /** The wasm builds of the product: with and without threads. */
 const WASM_BUILDS = ['threads', 'single'];
 
-/** Builds the product's wasm into public/wasm/, both builds or those that are named. */
+/** Builds the product's wasm into public/wasm/, both builds or the named ones. */
 export function buildWasm(setup, builds = WASM_BUILDS) {
   const target = join(root, 'public', 'wasm');
   mkdirSync(target, { recursive: true });

@@ -1,4 +1,4 @@
-// Finds the tools of this machine; only this file knows folders outside of the repository.
+// Finds the tools of this machine; only this file refers to folders outside the repository.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -20,7 +20,7 @@ export function outputOf(command, ...args) {
   }
 }
 
-/** Runs a command with output to the terminal; ends this program with one sentence if it fails, with what to do (`cure`). */
+/** Runs a command with output to the terminal; if it fails, ends this program with one sentence that includes the remedy (`cure`). */
 export function run(command, args, { cwd = root, env = process.env, quiet = false, cure = '' } = {}) {
   const result = spawnSync(command, args, { cwd, env, stdio: quiet ? 'pipe' : 'inherit', encoding: 'utf8' });
   if (result.status === 0) return;

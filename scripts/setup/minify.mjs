@@ -1,6 +1,6 @@
 // Writes a module with short names and without spaces.
 // Usage: node scripts/setup/minify.mjs FROM TO
-// A program of its own, since what it needs is installed only after the scripts that call it have been loaded.
+// A separate program, because its dependencies are installed only after the scripts that call it have been loaded.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { minifySync } from 'vite';

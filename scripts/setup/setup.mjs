@@ -1,4 +1,4 @@
-// Installs everything that building needs: packages of npm, then of the system. Fast if all are installed already.
+// Installs everything that building needs: npm packages, then system packages. Fast if all are already installed.
 
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -17,13 +17,13 @@ import {
   run,
 } from './environment.mjs';
 
-/** What to do where packages cannot be loaded. */
+/** The remedy if packages cannot be loaded. */
 const ONLINE = 'the reason is above; it needs the network, so connect and run this again';
 
 const isDebian = () => existsSync('/etc/debian_version') && isOnPath('apt-get');
 const debianRelease = () => /VERSION_ID="(\d+)"/.exec(readFileSync('/etc/os-release', 'utf8'))?.[1];
 
-// Requirements of a build: how to detect each, its Debian packages, and what to do on other systems.
+// Requirements of a build: how to detect each, its Debian packages, and the remedy on other systems.
 const buildNeeds = [
   {
     name: 'a C++ compiler (g++ >= 12)',

@@ -1,4 +1,4 @@
-// What the site has: its documents in the order of its side bar, and the results of its gallery.
+// The contents of the site: its documents in the order of its side bar, and the results of its gallery.
 
 export const SECTIONS = [
   {
@@ -50,10 +50,10 @@ export const SECTIONS = [
   },
 ];
 
-/** Files and folders of the repository that are published beside the documents. */
+/** Files and folders of the repository that are published with the documents. */
 export const PUBLISHED = ['LICENSE', 'docs'];
 
-/** `optimize`, `simulate`: what follows the names of the files on the command line. */
+/** `optimize`, `simulate`: the arguments after the file names on the command line. */
 export const GALLERY = [
   { sample: 'organic', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'sway', '--substeps', '40'] },
   { sample: 'cloth', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'hang', '--substeps', '40'] },

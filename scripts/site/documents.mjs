@@ -13,7 +13,7 @@ const DOCUMENTS = new Set(SECTIONS.flatMap(({ pages }) => pages.map(([document])
 const isPublished = (path) =>
   existsSync(join(root, path)) && PUBLISHED.some((start) => path === start || path.startsWith(`${start}/`));
 
-/** What a link of a document leads to within the site; null: to something that the site does not have. */
+/** The target of a link of a document within the site; null: the site does not have the target. */
 function targetOf(link, document) {
   if (/^[a-z]+:/i.test(link) || link.startsWith('#')) return link;
   const [path, fragment] = link.split('#');
@@ -23,7 +23,7 @@ function targetOf(link, document) {
   return way(addressOf(document), target) + (fragment ? `#${fragment}` : '');
 }
 
-/** Rewrites links and pictures; the text of a link to a source file stays, without the link. */
+/** Rewrites links and pictures; of a link to a source file only the text is kept. */
 function rewriteLinks(tokens, document) {
   for (const { children } of tokens.filter(({ type }) => type === 'inline')) {
     const open = [];
@@ -40,7 +40,7 @@ function rewriteLinks(tokens, document) {
   }
 }
 
-/** A corner of a table without words is no heading of anything. */
+/** An empty corner cell of a table is not a heading. */
 function mendCorners(tokens) {
   tokens.forEach((token, i) => {
     if (token.type !== 'th_open' || tokens[i + 1].content !== '') return;

@@ -1,4 +1,4 @@
-// The results of the gallery, made by the command line as anyone would make them, and the page that shows them.
+// The results of the gallery, made with the ordinary command line, and the page that shows them.
 
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ import { escape, pageOf } from './template.mjs';
 const LIMBER = join(root, 'dist', 'cli', 'limber.mjs');
 const readJson = (file) => JSON.parse(readFileSync(file, 'utf8'));
 
-/** Optimizes and simulates a sample in `folder`; returns what the page tells of it. */
+/** Optimizes and simulates a sample in `folder`; returns the data that the page shows. */
 function makeEntry({ sample, optimize, simulate }, about, folder) {
   const [original, result, motion] = ['', '-coarse', '-motion'].map((end) => `${sample}${end}.glb`);
   const limber = (words, ...more) => {
@@ -28,7 +28,7 @@ function makeEntry({ sample, optimize, simulate }, about, folder) {
   return { sample, original, result, motion, about, commands, optimized, simulated };
 }
 
-/** Makes all results in a folder that has the samples. */
+/** Makes all results in a folder that contains the samples. */
 export function makeGallery(folder) {
   mkdirSync(folder, { recursive: true });
   const samples = readJson(join(root, 'public', 'samples', 'index.json'));

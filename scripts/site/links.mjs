@@ -10,7 +10,7 @@ function linksOf(html) {
   return [...found].map(([, link]) => unescape(link));
 }
 
-/** What is wrong with one link of a page; null: nothing. `page`: its file, below `folder`. */
+/** The problem of one link of a page; null: none. `page`: its file, below `folder`. */
 function problemOf(folder, page, link, anchorsOf) {
   if (/^(https?|mailto|data):/.test(link)) return null;
   const [path, fragment] = link.split('?')[0].split('#');

@@ -13,7 +13,7 @@ export const addressOf = (document) =>
     .replace(/\.md$/, '.html')
     .toLowerCase();
 
-/** The way from one file of the site to another. */
+/** The relative path from one file of the site to another. */
 export const way = (from, to) => posix.relative(posix.dirname(from), to);
 
 function sideBar(address) {
@@ -41,8 +41,8 @@ function topBar(address) {
 }
 
 /**
- * A whole page. `address`: its file within the site; `main`: what it shows, as HTML; `script`: a file of `assets`;
- * `hasSideBar`: whether the documents are listed beside it.
+ * A whole page. `address`: its file within the site; `main`: its content as HTML; `script`: a file of `assets`;
+ * `hasSideBar`: whether it has a side bar with the documents.
  */
 export function pageOf({ address, title, main, script = null, hasSideBar = false }) {
   const asset = (name) => way(address, `assets/${name}`);

@@ -1,4 +1,4 @@
-// Files that the documents name must exist.
+// Files that the documents mention must exist.
 
 import { dirname, join } from 'node:path/posix';
 

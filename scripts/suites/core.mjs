@@ -1,4 +1,4 @@
-// The tests of the core: as WebAssembly in Node, natively with sanitizers, and by way of the fuzzers.
+// The tests of the core: as WebAssembly in Node, natively with sanitizers, and through the fuzzers.
 
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
@@ -16,7 +16,7 @@ const SANITIZERS = {
   TSAN_OPTIONS: 'halt_on_error=1',
 };
 
-/** Counts of a GoogleTest report. A program that crashes leaves none, which is a failure. */
+/** Counts of a GoogleTest report. A program that crashes writes none, which counts as a failure. */
 function readGoogleTest(file) {
   if (!existsSync(file)) return { passed: 0, failed: 1, skipped: 0 };
   const suites = JSON.parse(readFileSync(file, 'utf8')).testsuites;
@@ -57,8 +57,8 @@ async function runShard({ preset, program, filter, shards }, shard) {
 }
 
 /**
- * Builds a test program of the core with a preset and runs it, two shards side by side.
- * `suite` is what the line of totals calls it; `filter` is GoogleTest's pattern.
+ * Builds a test program of the core with a preset and runs it, two shards in parallel. `suite` is its name in the line
+ * of totals; `filter` is GoogleTest's pattern.
  */
 export async function runCoreTests(suite, setup, { preset, program, filter = '*', shards = SHARDS }) {
   buildPreset(preset, [program], setup);

@@ -11,7 +11,7 @@ const KINDS: MeshKind[] = ['regular', 'irregular', 'graded'];
 const FREE = { side: 1, length: 3, poisson: POISSON };
 const CLAMPED = { side: 1, length: 6, poisson: POISSON };
 
-/** Bending pairs 1 and 2, twist 1 and stretch 1, distinguished by the names that the core gives. */
+/** Bending pairs 1 and 2, twist 1 and stretch 1, distinguished by the names from the core. */
 export function barRun(core: Core, isClamped: boolean, cells: number, kind: MeshKind): Run {
   const { length } = isClamped ? CLAMPED : FREE;
   const mesh = box([1, 1, length], [cells, cells, cells * length], kind);

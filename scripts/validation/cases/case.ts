@@ -26,7 +26,7 @@ export interface CaseResult {
   setting: string;
   /** the reference and its source */
   reference: string;
-  /** why differences remain, and what can be trusted */
+  /** why differences remain, and which results can be trusted */
   reading: string;
   quantities: Quantity[];
   runs: Run[];
