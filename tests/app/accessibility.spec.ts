@@ -81,7 +81,7 @@ for (const [opener, closer] of [
 
 for (const colorScheme of ['light', 'dark'] as const)
   test(`every step passes axe in the ${colorScheme} scheme`, async ({ browser, baseURL }) => {
-    // With reduced motion the pictures stand still, so that axe sees colours that do not change.
+    // With reduced motion the pictures are not animated, so that axe sees constant colours.
     const context = await browser.newContext({ baseURL, colorScheme, reducedMotion: 'reduce' });
     const page = await context.newPage();
     await openPage(page);

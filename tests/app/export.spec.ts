@@ -31,7 +31,7 @@ test('that nothing is lost is said once the file is written and checked', async 
   await openPage(page);
   await drop(page, sheet);
   await expect(page.locator('.filename')).toHaveText('sheet-out.obj');
-  // Collects what stands after every change of the page while the file is still to be written.
+  // Collects the text after every change of the page until the file has been written.
   await page.evaluate(() => {
     const early: string[] = [];
     Object.assign(window, { early });

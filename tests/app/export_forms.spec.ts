@@ -1,4 +1,4 @@
-/** Formats, levels and presets of the export, as a person chooses them. */
+/** Formats, levels and presets of the export, as chosen by a user. */
 
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -29,7 +29,7 @@ async function saved(page: Page, name: string): Promise<Buffer> {
   return readFileSync(await download.path());
 }
 
-/** What the command that the page shows writes under `name`. */
+/** The file `name` as written by the command that the page shows. */
 async function writtenByCommand(page: Page, name: string): Promise<Buffer> {
   const command = await page.locator('code.command').innerText();
   const words = command.replaceAll("'", '').split(' ').slice(1);
@@ -97,7 +97,7 @@ test('levels are added, seen where they change, and written as nodes of one file
   await button(page, 'Add a level').click();
   await button(page, 'Add a level').click();
   await expect(page.getByLabel('Further levels')).toHaveValue('0.2, 0.1');
-  // A last level that the guard of 1 % lets this sheet reach.
+  // A last level that this sheet reaches within the guard of 1 %.
   await page.getByLabel('Further levels').fill('0.3, 0.15');
   await page.getByLabel('Further levels').press('Enter');
   await expect(page.getByLabel('Further levels')).toHaveValue('0.3, 0.15');

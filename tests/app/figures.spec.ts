@@ -23,11 +23,11 @@ interface Look {
   height: number;
   /** colours that differ by more than rounding */
   colours: number;
-  /** the share of pixels that can be seen through, 0..1 */
+  /** the share of transparent pixels, 0..1 */
   clear: number;
 }
 
-/** What a PNG looks like, as the browser decodes it. */
+/** Properties of a PNG, as decoded by the browser. */
 const lookOf = (page: Page, bytes: Buffer): Promise<Look> =>
   page.evaluate(async (base64) => {
     const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -45,7 +45,7 @@ const lookOf = (page: Page, bytes: Buffer): Promise<Look> =>
     return { width, height, colours: colours.size, clear: clear / (width * height) };
   }, bytes.toString('base64'));
 
-/** What a video element finds in a file, and the share of pixels that change from its start to its middle. */
+/** The properties of a video according to a video element, and the share of pixels that change from its start to its middle. */
 const watch = (page: Page, bytes: Buffer) =>
   page.evaluate(async (base64) => {
     const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -103,7 +103,7 @@ test('methods are compared at one number of faces, copied, and chosen by their p
   const lines = csv.trim().split(/\r?\n/);
   expect(lines).toHaveLength(6);
   expect(lines[0]).toMatch(/^Method,Faces,"Mean distance, %","Hausdorff distance, %"/);
-  // Limber keeps frequencies better than a simplifier that looks at the shape alone.
+  // Limber preserves frequencies better than a simplifier that only considers the shape.
   const errorOf = (name: string) =>
     Number(/,600,[^,]+,[^,]+,([^,]+)/.exec(lines.find((l) => l.includes(name))!)![1]);
   expect(errorOf('Limber')).toBeLessThan(errorOf('meshoptimizer, simplify'));
@@ -174,7 +174,7 @@ test('the stage is saved at the size that is asked for, with and without a groun
   expect([clear.width, clear.height]).toEqual([1000, 1400]);
   expect(clear.clear).toBeGreaterThan(0.3);
   expect(clear.clear).toBeLessThan(0.98);
-  // The stage is as it was.
+  // The stage is unchanged.
   const after = (await page.locator('.viewport canvas').boundingBox())!;
   expect(after).toEqual(stage);
 });
@@ -195,7 +195,7 @@ test(
   },
 );
 
-/** What the browser's own decoder finds in a GIF, and the share of pixels that change from its start to its middle. */
+/** The properties of a GIF according to the browser's decoder, and the share of pixels that change from its start to its middle. */
 const watchGif = (page: Page, bytes: Buffer) =>
   page.evaluate(async (base64) => {
     const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -253,7 +253,7 @@ test('a turntable and the motion of the test are saved as GIFs', { tag: '@full' 
 
   await goTo(page, 'Test');
   await expect(button(page, 'Save motion')).toBeEnabled();
-  // What is typed stays while the numbers of the motion arrive.
+  // Typed text is kept while the numbers of the motion arrive.
   await page.getByLabel('Seconds').fill('0.4');
   await page.waitForTimeout(1000);
   await page.getByLabel('Seconds').press('Tab');

@@ -14,7 +14,7 @@ test('a chosen motion stays chosen under the number that pins give it', async ({
   if (!(await text.isVisible())) await page.getByText('As text').click();
   await text.fill('low:6');
   await text.press('Enter');
-  // Whichever number it has, what is pressed is a twist, or the page says that nothing moves like it any more.
+  // Whatever its number, the pressed mode is a twist, or the page says that no mode moves like it any more.
   const pressed = page.locator('.gallery:not(.stale) .mode[aria-pressed="true"]');
   const notice = page.getByText(/With these pins/);
   await expect(async () => {

@@ -9,7 +9,7 @@ const SAME = new Set(
   ),
 );
 
-/** Words in Latin letters in what is shown or read out. The command line and messages of the validator are English. */
+/** Words in Latin letters in visible or spoken text. The command line and messages of the validator are English. */
 async function latinWords(page: Page): Promise<string[]> {
   const texts = await page.evaluate(() => {
     const shown = [...document.querySelectorAll<HTMLElement>('body *')].filter(

@@ -87,7 +87,7 @@ test('a file that is not a mesh gets one sentence, and the model before it stays
 test('a file that is dropped during a computation is shown before its own computations start', async ({
   page,
 }) => {
-  // The modes of a copy would be there at once.
+  // The modes of a copy would be available at once.
   await openPage(page, '/?sample=bar#exact=on');
   await drop(page, writeScratch('first.obj', sheetObj(280)));
   const busy = page.locator('.notice.busy');
@@ -125,7 +125,7 @@ test('names from a file are text, never markup', async ({ page }) => {
 });
 
 test('a long calculation shows progress, is cancelled, and runs again on request', async ({ page }) => {
-  // The modes of a copy would be there at once.
+  // The modes of a copy would be available at once.
   await page.goto('/#exact=on&file=large.obj');
   await drop(page, writeScratch('large.obj', sheetObj(140)));
   await expect(readout(page, 'Faces')).toContainText('39,200');

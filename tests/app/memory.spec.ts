@@ -1,4 +1,4 @@
-/** A core that may not grow: what needs more is refused in one sentence, and the page goes on. */
+/** A core that may not grow: requests that need more memory are refused in one sentence, and the page keeps working. */
 
 import { expect, test } from '@playwright/test';
 import { addMesh, glbFile, primitiveOf, startDocument } from '../engine/support/gltf';

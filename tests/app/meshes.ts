@@ -1,6 +1,6 @@
 /** Small meshes as OBJ text for the tests. */
 
-/** A flat sheet of 8 x 8 with prongs of 8 x 0.25 side by side: they move against each other long before the sheet does. */
+/** A flat sheet of 8 x 8 with parallel prongs of 8 x 0.25, whose relative vibrations have far lower frequencies than those of the sheet. */
 export function combObj(): string {
   const statements: string[] = [];
   const numberOf = new Map<string, number>();

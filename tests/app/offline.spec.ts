@@ -17,7 +17,7 @@ test.afterEach(() => host.close());
 
 const isIsolated = (page: Page) => page.evaluate(() => crossOriginIsolated).catch(() => false);
 
-/** Visits the page once: the service worker keeps everything, and the page reloads itself for shared memory. */
+/** Visits the page once: the service worker caches everything, and the page reloads itself for shared memory. */
 async function visit(page: Page): Promise<void> {
   await page.goto(host.address);
   await expect.poll(() => isIsolated(page)).toBe(true);
@@ -49,7 +49,7 @@ test('after one visit everything works offline, from a folder of a host without 
   await page.keyboard.press('Control+e');
   await goTo(page, 'Test');
   await expect(readout(page, 'Speed-up')).toContainText(/^x\d/);
-  // The codecs and the samples are kept too.
+  // The codecs and the samples are cached too.
   const kept = await page.evaluate(async () => {
     const names = await caches.keys();
     const requests = await Promise.all(names.map(async (name) => (await caches.open(name)).keys()));
@@ -97,7 +97,7 @@ test(
     await expect(page.getByText('1 thread', { exact: true })).toBeVisible();
     await reduceSheet(page);
     const assets = join(host.folder, 'assets');
-    // The parts that only an export loads.
+    // The parts that are only loaded by an export.
     const late = readdirSync(assets).filter((name) => /^(module|dist)-.*\.js$/.test(name));
     expect(late.length).toBeGreaterThan(0);
     for (const name of late) renameSync(join(assets, name), join(assets, `gone-${name}`));

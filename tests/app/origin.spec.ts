@@ -1,4 +1,4 @@
-/** The page asks no other host for anything, whatever is done with it. */
+/** The page sends no request to other hosts, whatever the user does. */
 
 import { expect, test } from '@playwright/test';
 import { sheetObj } from './meshes';

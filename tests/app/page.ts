@@ -1,4 +1,4 @@
-/** What a user does with the page. */
+/** Actions of a user on the page. */
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
@@ -16,7 +16,7 @@ export function writeScratch(name: string, content: string | Uint8Array): string
   return path;
 }
 
-/** Opens the page with the bar, or with what an address names, and waits until the bar is shown. */
+/** Opens the page with the bar, or with the file of an address, and waits until it is shown. */
 export async function openPage(page: Page, address = '/?sample=bar'): Promise<void> {
   await page.goto(address);
   await expect(readout(page, 'Faces')).toContainText('1,792');
@@ -71,7 +71,7 @@ export function commandLineBytes(input: string, options: string[]): Uint8Array {
   return new Uint8Array(readFileSync(output));
 }
 
-/** Waits until the Motion step says this of how the modes were solved. */
+/** Waits until the Motion step shows this text on how the modes were solved. */
 export async function expectSolved(page: Page, text: string | RegExp): Promise<void> {
   const details = page.locator('details').filter({ hasText: 'How it was solved' });
   await expect(async () => {

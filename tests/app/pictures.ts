@@ -1,4 +1,4 @@
-/** Pictures of the viewport, and what changes between two of them in each half: original left, optimized right. */
+/** Pictures of the viewport, and the differences of two of them in each half: original left, optimized right. */
 
 import { createHash } from 'node:crypto';
 import { expect } from '@playwright/test';
@@ -14,7 +14,7 @@ export const picture = async (page: Page): Promise<string> =>
     .update(await capture(page))
     .digest('hex');
 
-/** Waits until the viewport stands still, and returns its picture as PNG. */
+/** Waits until the viewport is still, and returns its picture as PNG. */
 export async function stillCapture(page: Page): Promise<Buffer> {
   let last = await capture(page);
   await expect(async () => {

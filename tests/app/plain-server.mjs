@@ -1,4 +1,4 @@
-// A static host without COOP and COEP headers, as most hosts are: pages have no shared memory there.
+// A static host without COOP and COEP headers, like most hosts: pages have no shared memory there.
 
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';

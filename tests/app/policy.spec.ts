@@ -7,7 +7,7 @@ import { sheetObj } from './meshes';
 
 const sheet = writeScratch('policy.obj', sheetObj(16));
 
-/** Collects what the policy forbids: events of the page, and the browser's messages, which name workers too. */
+/** Collects violations of the policy: events of the page, and the browser's messages, which include those of workers. */
 async function watch(page: Page): Promise<string[]> {
   const found: string[] = [];
   page.on('console', (message) => {
@@ -40,12 +40,12 @@ test('no step breaks the policy, and the policy forbids what it should', async (
   await expect(readout(page, 'Speed-up')).toContainText(/^x\d/);
   await saveGlb(page);
   expect(found).toEqual([]);
-  // The core's own workers make no code from text either.
+  // The core's own workers do not create code from text either.
   const own = page.workers().find((worker) => /\/worker-[^/]*\.js$/.test(worker.url()))!;
   const refusal = await own.evaluate(
     () =>
       new Promise<string>((resolve) => {
-        // What a test evaluates itself is exempt from the policy, and what it calls later is not.
+        // Code that a test evaluates directly is exempt from the policy, code that it calls later is not.
         setTimeout(() => {
           try {
             resolve(String(new Function('return 1')()));

@@ -1,6 +1,6 @@
 /**
- * Whatever a user does in whatever order leads to no error. LIMBER_ACTIONS=1000 takes so many actions and looks at the growth
- * of the heap as well: tests/bench/page_actions.mjs.
+ * No sequence of user actions leads to an error. LIMBER_ACTIONS=1000 takes that many actions and also checks the growth
+ * of the heap: tests/bench/page_actions.mjs.
  */
 
 import { expect, test } from '@playwright/test';
@@ -11,7 +11,7 @@ import { ACTIONS, seeded, takeAction } from './random_actions';
 
 const COUNT = Number(process.env.LIMBER_ACTIONS ?? 60);
 const SEED = Number(process.env.LIMBER_SEED ?? 1);
-/** Until then the page fills what it keeps for later. */
+/** Until then the page fills its caches. */
 const SETTLED = 100;
 const MAX_GROWTH = 1.05;
 

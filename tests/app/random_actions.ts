@@ -19,7 +19,7 @@ export function seeded(seed: number): Random {
 
 const pick = <T>(random: Random, from: readonly T[]): T => from[Math.floor(random() * from.length)];
 
-/** Returns whether the page offered what the action needs. */
+/** Returns whether the action was possible on the page. */
 type Action = (page: Page, random: Random) => Promise<boolean>;
 
 const STEPS = ['Model', 'Motion', 'Reduce', 'Test'] as const;
@@ -46,7 +46,7 @@ async function chooseMode(page: Page, random: Random): Promise<boolean> {
   return clickOne(page, '.mode-card button.mode', random);
 }
 
-/** Clicks one of the elements that are shown; false where there is none. */
+/** Clicks one of the visible elements; false if there is none. */
 async function clickOne(page: Page, selector: string, random: Random): Promise<boolean> {
   const shown = await page.locator(selector).filter({ visible: true }).all();
   if (shown.length === 0) return false;
@@ -76,7 +76,7 @@ async function turn(page: Page, random: Random): Promise<boolean> {
   return true;
 }
 
-/** Opens the export, saves where it is soon ready, and closes it. */
+/** Opens the export, saves if it is soon ready, and closes it. */
 async function exportFile(page: Page): Promise<boolean> {
   await page.keyboard.press('Control+e');
   const save = page.locator('button').filter({ hasText: 'Save .glb' });
@@ -97,7 +97,7 @@ const press =
     return true;
   };
 
-/** Each with how often it is taken, relative to the others. */
+/** Each action with its relative frequency. */
 export const ACTIONS: Record<string, { weight: number; act: Action }> = {
   step: { weight: 5, act: (page, random) => goTo(page, pick(random, STEPS)).then(() => true) },
   slider: { weight: 8, act: slide },
@@ -113,12 +113,12 @@ export const ACTIONS: Record<string, { weight: number; act: Action }> = {
   export: { weight: 1, act: exportFile },
 };
 
-/** Takes one action, which may find that the page does not offer what it needs; returns its name and whether it was taken. */
+/** Takes one action, which may be impossible on the page; returns its name and whether it was taken. */
 export async function takeAction(page: Page, random: Random): Promise<{ name: string; isTaken: boolean }> {
   const all = Object.entries(ACTIONS);
   let left = random() * all.reduce((sum, [, { weight }]) => sum + weight, 0);
   const [name, { act }] = all.find(([, { weight }]) => (left -= weight) < 0) ?? all[0];
-  // What an action is about to click may vanish, as the page goes on working.
+  // The target of a click may vanish, because the page continues to work.
   const isTaken = await act(page, random).catch((error: unknown) => {
     if (page.isClosed() || !(error instanceof Error) || error.name !== 'TimeoutError') throw error;
     return false;

@@ -26,7 +26,7 @@ async function openSheet(page: Page): Promise<void> {
   await expect(keptFaces(page)).toBeEnabled();
 }
 
-/** A stroke over the middle of the original, which is the left one of two; `across`: of another place, over the width of both. */
+/** A stroke over the middle of the original, the left one of two; `across`: another horizontal position, as a fraction of the width of both. */
 async function stroke(page: Page, height = 30, across = 1 / 4): Promise<void> {
   const box = (await page.locator('.viewport canvas').boundingBox())!;
   const [x, y] = [box.x + across * box.width, box.y + box.height / 2];
@@ -55,7 +55,7 @@ test('paint keeps triangles, locks vertices, is erased, and undone stroke by str
   await page.keyboard.press('Control+Shift+Z');
   await expect(page.getByText(/^\d+ locked$/)).toBeVisible();
   await brush(page, 'Erase').click();
-  // The brush is broader than what was painted, wherever the view has come to rest meanwhile.
+  // The brush is wider than the painted region, wherever the view has come to rest meanwhile.
   for (let i = 0; i < 4; ++i) await page.keyboard.press(']');
   await stroke(page, 60);
   await expect(page.getByText(/^\d+ (kept|locked)$/)).toHaveCount(0);
@@ -240,7 +240,7 @@ test('a limit that stops the slider is named and can be switched off, and so is 
   const deviation = page.getByLabel('Largest deviation, exact');
   await deviation.fill('0.5');
   await deviation.press('Enter');
-  // What is typed stays while the result of the limit arrives.
+  // Typed text is kept while the result of the limit arrives.
   await page.getByLabel('Kept faces, exact').fill('2');
   await expect(readout(page, 'Deviation')).toContainText(/\d %/);
   await expect(page.getByLabel('Kept faces, exact')).toHaveValue('2');
@@ -267,7 +267,7 @@ test(
   'seams that keep every face are named, and are crossed on request, as on the command line',
   { tag: '@full' },
   async ({ page }) => {
-    // Every triangle has a piece of the texture of its own.
+    // Every triangle has its own part of the texture.
     const [vertices, faces] = ['v', 'f'].map((kind) =>
       sheetObj(24)
         .split('\n')

@@ -7,7 +7,7 @@ const sheet = writeScratch('kept.obj', sheetObj(16));
 const brush = (page: Page, name: string) =>
   page.getByRole('group', { name: 'Brush' }).getByRole('button', { name });
 
-/** Runs in the page: how many tabs have their files in the browser's store. */
+/** Runs in the page: the number of tabs with files in the browser's storage. */
 function savedRecords(): Promise<number> {
   return new Promise((resolve) => {
     const opening = indexedDB.open('limber', 1);

@@ -16,7 +16,7 @@ async function openTest(page: Page, address?: string): Promise<void> {
 
 const button = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
 const scenario = (page: Page) => page.getByLabel('Scenario', { exact: true });
-/** Pictures of a body at rest differ in no pixel, see the test of Pause. */
+/** Pictures of a body at rest are identical, see the test of Pause. */
 const MOVED_PIXELS = 100;
 
 const curve = (page: Page) => page.getByRole('img', { name: /^Deviation/ });
@@ -31,7 +31,7 @@ const untilTime = (page: Page, seconds: number) =>
 
 /** Changes a setting of the paused simulation and waits until it is at its start again, with the camera at rest. */
 async function restart(page: Page, change: () => Promise<unknown>): Promise<Buffer> {
-  // Only a simulation that has left its start shows that it goes back there.
+  // Only a simulation that has left its start can show that it returns there.
   await expect(readout(page, 'Time')).not.toContainText('0.00 s');
   await change();
   await expect(readout(page, 'Time')).toContainText('0.00 s');
@@ -136,7 +136,7 @@ test('both bodies move in the solver that is chosen', async ({ page }) => {
   expect(await deviationAfterSteps(page)).not.toBe(springs);
 });
 
-/** At the same time in every motion, where playing ends at another frame each time. */
+/** At the same time in every motion, although playing ends at a different frame each time. */
 async function deviationAfterSteps(page: Page): Promise<number> {
   for (let step = 1; step <= 12; ++step) {
     await button(page, 'Step').click();
@@ -179,10 +179,11 @@ test('who does not know the solver gets the plain result, words to choose by, an
     expect(read(name).solver).toBe(solverName);
     return read(name).bodies[0].mesh.triangles;
   });
-  // All are of the one mesh that lies beside them.
+  // All of them belong to the mesh in the same archive.
   for (const mesh of meshes) expect(mesh).toEqual(meshes[0]);
 
-  // Whoever chooses a solver while it is tuned, as for another number of faces, is told what has stopped, and can go back.
+  // A user who chooses a solver during the tuning, for example for another number of faces, is told what was stopped
+  // and can go back.
   await goTo(page, 'Reduce');
   await keepFaces(page, 400);
   await goTo(page, 'Test');
@@ -299,7 +300,7 @@ test(
       expect(low.changed[side]).toBeGreaterThan(MOVED_PIXELS);
     }
     await restart(page, () => source.selectOption('corners'));
-    // Where the user has chosen what is in the picture, the eye does not step back from bodies that move out of it.
+    // If the user has framed the view, the camera does not move back from bodies that move out of it.
     await page.locator('.viewport canvas').hover();
     await page.mouse.wheel(0, 300);
     const startAtCorners = await stillCapture(page);

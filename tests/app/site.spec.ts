@@ -15,7 +15,7 @@ test.beforeAll(async () => {
 });
 test.afterAll(() => host.close());
 
-/** What goes wrong on a page from now on: errors, and files that are not there. */
+/** Collects the problems of a page from now on: errors and missing files. */
 function problemsOf(page: Page): string[] {
   const problems: string[] = [];
   page.on('pageerror', ({ message }) => problems.push(message));

@@ -19,7 +19,7 @@ const types: Record<string, string> = {
 };
 
 export interface StaticHost {
-  /** of what is served, below a folder of the host */
+  /** address of the served files, below a folder of the host */
   address: string;
   /** a copy of what was built, which the test may change */
   folder: string;

@@ -76,7 +76,7 @@ test('on a phone no label of a mesh lies under the choice of the view', async ({
     for (const label of await page.locator('.pane-labels > span').all()) {
       const box = (await label.boundingBox())!;
       expect(box.y).toBeGreaterThanOrEqual(choice.y + choice.height);
-      // A body that is fitted leaves a tenth of the picture free at its top.
+      // A framed body leaves a tenth of the picture free at the top.
       expect(box.y + box.height).toBeLessThanOrEqual(canvas.y + 0.1 * canvas.height + 1);
     }
   }
@@ -142,7 +142,7 @@ test('a page at 200 % scrolls rather than cover the picture', async ({ page }) =
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(683);
 });
 
-/** The words of read-outs that are cut or lie under the box of what is running, and by how much the box moves what is above it. */
+/** The texts of readouts that are truncated or covered by the progress box, and by how much the box moves the content above it. */
 const hiddenByBusy = (page: Page): Promise<(string | number | null)[]> =>
   page.evaluate(() => {
     const line = document.querySelector('.foot-line')!;
@@ -186,7 +186,7 @@ test('read-outs of the Test step are seen whole in one row, and what is running 
   await expect(readout(page, 'Stretch')).toContainText('optimized');
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
   await expect(readout(page, 'Time')).toContainText('paused');
-  // Words are as long here as they get.
+  // Texts have their maximum length here.
   const longest = [
     ['126.70 s', 'slow motion x0.35'],
     ['38.2 ms', '1.91\u00a0ms/substep'],

@@ -1,6 +1,6 @@
 /**
- * A worker that ends at any moment: the page lives, the model comes back, and the next action is right. LIMBER_KILLS=100 ends
- * so many, LIMBER_SEED chooses the moments.
+ * A worker may end at any moment: the page survives, the model is restored, and the next action gives the right result.
+ * LIMBER_KILLS=100 ends that many, LIMBER_SEED chooses the moments.
  */
 
 import { expect, test } from '@playwright/test';
@@ -17,7 +17,7 @@ const LATEST = 1500;
 const FACES = 700;
 const sheet = writeScratch('killed.obj', sheetObj(40));
 
-/** What keeps the worker busy; none of these leaves settings behind that a later one does not set. */
+/** Actions that keep the worker busy; none leaves settings behind that a later one does not set. */
 const ACTIONS: ((page: Page, part: number) => Promise<void>)[] = [
   (page, part) => keptFaces(page).fill(String(Math.round(200 + 2000 * part))),
   (page, part) => page.getByLabel('Even triangles, exact').fill((0.1 * part).toFixed(3)),
@@ -25,7 +25,7 @@ const ACTIONS: ((page: Page, part: number) => Promise<void>)[] = [
   (page) => page.keyboard.press('Control+e'),
 ];
 
-/** Brings the page back to the same settings, as a user would, and returns what it says of the result. */
+/** Returns the page to the same settings, as a user would, and returns its text on the result. */
 async function deviationAt(page: Page, evenness: string): Promise<string> {
   const again = page.getByRole('button', { name: 'Run again' });
   const opened = page.getByRole('button', { name: 'Export', exact: true, expanded: true });
@@ -40,7 +40,7 @@ async function deviationAt(page: Page, evenness: string): Promise<string> {
   await settle(page);
   await keepFaces(page, FACES);
   await expect(async () => {
-    // What was lost may be offered again only now.
+    // The lost work may only be offered again now.
     if (await again.isVisible()) await again.click({ timeout: 1000 });
     await expect(readout(page, 'Deviation')).toContainText('%', { timeout: 2000 });
   }).toPass({ timeout: 60_000 });

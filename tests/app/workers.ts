@@ -16,11 +16,11 @@ export const followWorkers = (page: Page) =>
     };
   });
 
-/** Ends the worker of the page as a browser does that runs out of memory: without an event, and amid its work. */
+/** Ends the worker of the page as a browser does when it runs out of memory: without an event, and in the middle of its work. */
 export const killWorker = (page: Page) =>
   page.evaluate(() => (window as unknown as { workers: Worker[] }).workers.at(-1)!.terminate());
 
-/** Waits until the worker has had nothing to do for a second. */
+/** Waits until the worker has been idle for a second. */
 export const settle = (page: Page) =>
   expect(async () => {
     for (let look = 0; look < 5; ++look) {
