@@ -1,4 +1,4 @@
-/** The page: which panel is where. */
+/** The page: the layout of its panels. */
 
 import { computed, signal } from '@preact/signals';
 import { openDropped } from './files/files';
@@ -32,7 +32,7 @@ export function App() {
       class={`page step-${view.step.value}${results.file.value ? '' : ' empty-page'} sheet-${shownSheet.value}`}
       onDragOver={(event) => {
         event.preventDefault();
-        // The page's own files can be dragged out, and are not opened again.
+        // The page's own files can be dragged out; dropped back on the page, they are not opened again.
         isDraggedOver.value = event.dataTransfer?.types.includes('Files') ?? false;
       }}
       onDragLeave={(event) => {
@@ -72,7 +72,7 @@ export function App() {
   );
 }
 
-/** On narrow windows both panels share one place; Export always comes to the front. */
+/** On narrow windows both panels share one area; Export always comes to the front. */
 const shownSheet = computed(() => (wants.exportOpen.value ? 'settings' : view.sheet.value));
 
 function SheetHandle() {

@@ -10,14 +10,14 @@ const quoted = (word: string): string =>
 interface CommandFiles {
   faces: number;
   fields: boolean;
-  /** names of further files; null: not asked for */
+  /** names of further files; null: not requested */
   binding: string | null;
   settings: string | null;
-  /** whether the result has more faces than asked for, which would be a failure otherwise */
+  /** whether the result has more faces than requested, which would otherwise be a failure */
   isMissed: boolean;
 }
 
-/** A name that is not taken for a flag. */
+/** A name that cannot be mistaken for a flag. */
 const operand = (name: string): string => (name.startsWith('-') ? `./${name}` : name);
 
 export function commandLine(

@@ -1,4 +1,4 @@
-/** Starts the page. Shared styles come first, as the styles of components build on them. */
+/** Starts the page. Shared styles come first, because the styles of components build on them. */
 
 import './styles/tokens.css';
 import './styles/base.css';
@@ -24,7 +24,7 @@ import { results } from './state/store';
 effect(() => {
   document.documentElement.dataset.theme = isDark.value ? 'dark' : 'light';
 });
-// The first picture is in the right language.
+// The first paint is already in the right language.
 await startLanguage();
 followSteps();
 render(<App />, document.getElementById('app')!);
@@ -33,7 +33,7 @@ startRunner();
 followModes();
 startSimulations();
 await loadSamples();
-// Keeping the page competes with its start for the network.
+// Caching the page would compete with its start for the network.
 void client
   .ready()
   .catch(() => null)

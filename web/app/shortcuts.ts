@@ -1,4 +1,4 @@
-/** What keys do outside of text fields. */
+/** The keyboard shortcuts outside text fields. */
 
 import { scrolls } from './controls/scroll_keys';
 import { pickFiles } from './files/files';
@@ -85,7 +85,7 @@ const WITH_CONTROL: Record<string, () => void> = {
   },
 };
 
-/** A collapse removes one face at a border and two elsewhere, so a step of two faces always shows. */
+/** A collapse removes one face at a border and two elsewhere, so a step of two faces always has an effect. */
 function stepFaces(direction: number): void {
   const { isReady, fewest, faces, wanted } = slider.value;
   if (!isReady || view.step.value !== 'reduce') return;
@@ -108,15 +108,15 @@ function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement && !['checkbox', 'range'].includes(target.type);
 }
 
-/** Whether a slider moves by this key itself. */
+/** Whether a slider handles this key itself. */
 const isSliderKey = ({ target, key }: KeyboardEvent): boolean =>
   target instanceof HTMLInputElement && target.type === 'range' && /^(Arrow|Home|End|Page)/.test(key);
 
-/** Whether a region that has the focus scrolls by this key. */
+/** Whether a focused region scrolls by this key. */
 const isScrollKey = ({ target, key }: KeyboardEvent): boolean =>
   target instanceof HTMLElement && target.matches('[tabindex="0"]') && scrolls(target, key);
 
-/** Whether the target undoes its own text. */
+/** Whether the target has an undo of its own. */
 const hasOwnUndo = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement && target.type === 'text';
 

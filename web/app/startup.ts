@@ -1,4 +1,4 @@
-/** What the page opens by itself: the last session of this tab or what a link asks for; otherwise it starts empty. */
+/** What the page opens on its own: the last session of this tab or the request of a link; otherwise it starts empty. */
 
 import { openSample, samples } from './files/samples';
 import { awaited, describeFormerLink, describeLinkError, readLink } from './state/link';
@@ -30,11 +30,11 @@ export async function openAtStart(): Promise<void> {
 
 function bringBack(session: Session): Promise<void> {
   const stop = afterOpening(() => session.show());
-  // Where the files cannot be opened, the view is not that of the next ones.
+  // If the files cannot be opened, their view must not be applied to the next ones.
   return openFiles(session.files, { asked: session.wanted }).finally(stop);
 }
 
-/** Offers the work of the last tab that was closed, as long as nothing is open. */
+/** Offers to restore the work of the last closed tab while nothing is open. */
 async function offerLastSession(): Promise<void> {
   const session = await lastSession();
   if (!session || results.file.value || status.busy.value || status.notice.value) return;
@@ -64,7 +64,7 @@ const removeLink = (): void => changeEntry({ isOtherOpen: false }, location.path
 /** Whether the link of the address still waits for its file, while another file is open. */
 const isOtherOpen = (): boolean => entry().isOtherOpen === true;
 
-/** Keeps the link in the address until the file that it is for is open, so that after a reload it still waits. */
+/** Keeps the link in the address until its file is open, so that it still waits after a reload. */
 function removeLinkOnceOpen(): void {
   const before = results.opened.value;
   const stop = results.opened.subscribe((opened) => {
@@ -87,7 +87,7 @@ function readHash(): Wanted | null {
   addEventListener('hashchange', followHash);
   try {
     const wanted = readLink(hash);
-    // Once its file is open, a reload brings back the session that has grown from it.
+    // Once its file is open, a reload restores the session that began with the link.
     if (wanted) removeLinkOnceOpen();
     else removeLink();
     const former = describeFormerLink(hash);
@@ -103,13 +103,13 @@ function readHash(): Wanted | null {
   }
 }
 
-/** Shows the notice now, and again after the first file is open, as opening it removes earlier ones. */
+/** Shows the notice now, and again after the first file is open, because opening it removes earlier notices. */
 function showAfterOpening(notice: Notice): void {
   status.notice.value = notice;
   afterOpening(() => (status.notice.value = notice));
 }
 
-/** Keeps what a link asks of a file until the user opens that file, as a link cannot carry it. */
+/** Keeps the request of a link until the user opens its file, which a link cannot contain. */
 function waitForFile(wanted: Wanted): void {
   awaited.value = wanted;
   wants.settings.value = wanted.settings;

@@ -1,4 +1,4 @@
-/** Controls that the panels share. Settings have their words and ranges from the table of settings. */
+/** Controls that the panels share. Settings take their texts and ranges from the table of settings. */
 
 import type { ComponentChildren } from 'preact';
 import { useId } from 'preact/hooks';
@@ -53,7 +53,7 @@ export function Range({ label, min, max, step, value, shown, title, onInput }: R
   );
 }
 
-/** A slider's range, and its position for a value and back. */
+/** The range of a slider, and the conversions between value and position. */
 function scaleOf({ slider, step, ...range }: OptionOf<'number' | 'integer'>) {
   const { min, max } = slider ?? range;
   if (!slider?.isLogarithmic) return { min, max, step, toSlider: Number, fromSlider: Number };
@@ -66,7 +66,7 @@ function scaleOf({ slider, step, ...range }: OptionOf<'number' | 'integer'>) {
   };
 }
 
-/** A setting as a slider over its useful span, with the exact number beside it. */
+/** A setting as a slider over its useful span, with the exact number next to it. */
 export function SettingRange({ name }: { name: NumberSetting }) {
   const id = useId();
   const { label, min, max, unit, help, kind, isOffAtZero }: OptionOf<'number' | 'integer'> = OPTIONS[name];
@@ -116,12 +116,12 @@ interface SelectProps {
   options: readonly { value: string; text: string }[];
   value: string;
   title?: string;
-  /** whether it stands below its label, as its choices are long */
+  /** whether it is below its label, because its choices are long */
   isBelow?: boolean;
   onChange(value: string): void;
 }
 
-/** A list of choices to open. */
+/** A drop-down list of choices. */
 export function Select({ label, options, value, title, isBelow, onChange }: SelectProps) {
   const id = useId();
   return (
@@ -145,7 +145,7 @@ interface ChoiceProps<T extends string> {
   onChange(value: T): void;
 }
 
-/** A few choices side by side, one of them pressed. */
+/** A few choices as adjacent buttons, one of them pressed. */
 export function Choice<T extends string>({ label, options, value, onChange }: ChoiceProps<T>) {
   return (
     <div class="choice" role="group" aria-label={say(label)}>

@@ -1,4 +1,4 @@
-/** A button that copies a text, and says so for a moment. */
+/** A button that copies a text and briefly confirms it. */
 
 import { signal } from '@preact/signals';
 import { useId } from 'preact/hooks';
@@ -7,21 +7,21 @@ import { say } from '../language/say';
 
 const COPIED_MILLISECONDS = 2000;
 
-/** The button whose text was copied last, while it says so; null for none. */
+/** The button that currently confirms a copy; null for none. */
 const copied = signal<string | null>(null);
 let timer: ReturnType<typeof setTimeout> | undefined;
 
 interface CopyButtonProps {
   /** on the button */
   text: string;
-  /** what it is called where its text does not say it; in the language of the page */
+  /** its accessible name if its text is not enough; in the language of the page */
   name?: string;
   title?: string;
   class?: string;
   disabled?: boolean;
   /** the text that is copied */
   write(): string;
-  /** told what was copied */
+  /** called with the copied text */
   onCopied?(written: string): void;
 }
 

@@ -1,9 +1,9 @@
-/** The focus of a panel that opens over or beside what the user was at. */
+/** Moves the focus to a panel when it opens, and back when it closes. */
 
 import { useEffect, useRef } from 'preact/hooks';
 import type { RefObject } from 'preact';
 
-/** Gives the heading of a panel the focus when it opens; when it closes, what had it before gets it back. */
+/** Focuses the heading of a panel when it opens; when it closes, the element that was focused before is focused again. */
 export function useHeadingFocus(): RefObject<HTMLHeadingElement | null> {
   const heading = useRef<HTMLHeadingElement>(null);
   useEffect(() => {
@@ -12,7 +12,7 @@ export function useHeadingFocus(): RefObject<HTMLHeadingElement | null> {
     heading.current?.focus({ preventScroll: true });
     return () => {
       const { activeElement: now } = document;
-      // Whoever has gone on elsewhere stays there.
+      // If the focus has moved elsewhere meanwhile, it stays there.
       if (now === null || now === document.body || panel?.contains(now)) before?.focus();
     };
   }, []);

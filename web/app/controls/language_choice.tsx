@@ -1,4 +1,4 @@
-/** The choice of the language: each language in its own words. */
+/** The choice of the language: each language by its own name. */
 
 import { chooseLanguage, shown } from '../language/language';
 import type { Language } from '../language/language';

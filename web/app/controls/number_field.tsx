@@ -1,4 +1,4 @@
-/** A field for a number. What is being typed stays while results arrive, until it is entered or left. */
+/** A field for a number. While the user types, arriving results do not replace the text, until it is entered or the field is left. */
 
 import type { InputHTMLAttributes } from 'preact';
 import { useState } from 'preact/hooks';
@@ -7,9 +7,9 @@ interface NumberFieldProps extends Pick<
   InputHTMLAttributes,
   'id' | 'aria-label' | 'aria-labelledby' | 'min' | 'max' | 'step' | 'title' | 'placeholder'
 > {
-  /** null: none is shown, but the placeholder */
+  /** null: the placeholder is shown */
   value: number | null;
-  /** NaN where what was entered is no number */
+  /** NaN if the text is not a number */
   onEnter(value: number): void;
 }
 

@@ -1,4 +1,4 @@
-/** A number with its name above and a note beside it. */
+/** A number with its name above and a note next to it. */
 
 import './readout.css';
 import { say } from '../language/say';
@@ -8,9 +8,9 @@ interface ReadoutProps {
   value: string;
   note: string;
   isBad?: boolean;
-  /** of value and note together; 'named': as others, and the value may be cut in place of the note */
+  /** of value and note together; 'named': as the others, but the value may be truncated instead of the note */
   width?: 'narrow' | 'wide' | 'wider' | 'widest' | 'named';
-  /** its place on a phone, from 0 on; the others follow */
+  /** its position on a phone, counting from 0; the others follow */
   phoneOrder?: number;
 }
 

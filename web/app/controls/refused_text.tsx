@@ -1,4 +1,4 @@
-/** The sentence below a text that was refused. The text names it by `aria-describedby`. */
+/** The sentence below a text that was refused. The text field refers to it by `aria-describedby`. */
 
 import type { Refusal } from '../state/refusal';
 import { sentence } from '../language/say';

@@ -1,4 +1,4 @@
-/** The sliders and switches that the table of settings has for a section of the page. */
+/** The sliders and switches of a section of the page, from the table of settings. */
 
 import { OPTIONS, SETTING_NAMES, readsSetting } from '../../engine/settings/options';
 import type { PageSection, SettingName, Settings } from '../../engine/settings/options';
@@ -13,7 +13,7 @@ const isNumber = (name: SettingName): name is NumberSetting =>
   OPTIONS[name].kind === 'number' || OPTIONS[name].kind === 'integer';
 const isSwitch = (name: SettingName): name is SwitchSetting => OPTIONS[name].kind === 'switch';
 
-/** Sliders first, then switches, each in the order of the table; what the method does not read is left out. */
+/** Sliders first, then switches, each in the order of the table; settings that the method does not read are omitted. */
 export function SettingControls({ section }: { section: PageSection }) {
   const settings = wants.settings.value;
   const shown = SETTING_NAMES.filter(

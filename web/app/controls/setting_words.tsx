@@ -1,4 +1,4 @@
-/** What a setting is for: a sentence for whoever looks at the model, and one that is exact, behind a button. */
+/** The explanation of a setting behind a button: a plain sentence, and an exact one. */
 
 import type { ComponentChildren } from 'preact';
 import { useId, useState } from 'preact/hooks';
@@ -7,7 +7,7 @@ import type { SettingName } from '../../engine/settings/options';
 import './setting_words.css';
 import { say } from '../language/say';
 
-/** Without the words of mechanics; the exact sentence is the help of the table of settings. */
+/** Without terms of mechanics; the exact sentence is the help of the table of settings. */
 const PLAIN: Partial<Record<SettingName, string>> = {
   strainWeight: 'More keeps faces where the surface stretches and folds when it moves.',
   curvatureWeight: 'More keeps faces where the shape is round or sharp.',
@@ -32,13 +32,13 @@ const PLAIN: Partial<Record<SettingName, string>> = {
   calibrate: 'One number makes the new mesh swing as fast as the old one.',
 };
 
-/** What `useSettingWords` draws: a button to stand beside the label, and the sentences, which are null while they are closed. */
+/** The elements that `useSettingWords` returns: a button for next to the label, and the sentences, which are null while they are closed. */
 export interface SettingWords {
   button: ComponentChildren;
   sentences: ComponentChildren;
 }
 
-/** Of a setting without a plain sentence both are null. */
+/** For a setting without a plain sentence both are null. */
 export function useSettingWords(name: SettingName): SettingWords {
   const [isOpen, setOpen] = useState(false);
   const id = useId();

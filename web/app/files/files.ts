@@ -15,7 +15,7 @@ interface NamedFile {
   file: File;
 }
 
-/** Opens these files; what cannot be read is told in a notice. */
+/** Opens these files; a notice names those that cannot be read. */
 async function openRead(files: Promise<NamedFile[]>): Promise<void> {
   let read: SourceFile[];
   try {
@@ -56,7 +56,7 @@ export function pickFiles(): Promise<void> {
   });
 }
 
-/** Opens what was dropped: files, and all files below folders with their relative paths. */
+/** Opens a drop: files, and all files below folders with their relative paths. */
 export async function openDropped(items: DataTransferItemList): Promise<void> {
   const plain = Array.from(items, (item) => (item.webkitGetAsEntry?.() ? null : item.getAsFile()));
   const entries = Array.from(items, (item) => item.webkitGetAsEntry?.() ?? null).filter(
@@ -71,12 +71,12 @@ async function filesOf(entries: readonly FileSystemEntry[]): Promise<NamedFile[]
   const found = await Promise.all(
     entries.map((entry) => filesBelow(entry, '').catch(() => Promise.reject(unreadable(entry.name)))),
   );
-  // Several folders need their names, as their files may have the same ones.
+  // Several folders need their names, because their files may have the same names.
   const isAlone = entries.filter(({ isDirectory }) => isDirectory).length === 1;
   return found.flatMap((files, i) => (isAlone && entries[i].isDirectory ? insideOf(files) : files));
 }
 
-/** The files of a folder without its name, where it has any of its own. */
+/** The files of a folder without its name, if it directly contains any files. */
 function insideOf(files: NamedFile[]): NamedFile[] {
   const inside = files.map(({ name, file }) => ({ name: name.slice(name.indexOf('/') + 1), file }));
   return inside.some(({ name }) => !name.includes('/')) ? inside : files;
@@ -102,7 +102,7 @@ async function filesBelow(entry: FileSystemEntry, folder: string): Promise<Named
   return (await Promise.all(below)).flat();
 }
 
-/** Opens a file of the page's own origin; why it cannot be loaded is told in a notice. */
+/** Opens a file of the page's own origin; a notice says why it cannot be loaded. */
 export async function openAddress(address: string, name: string, how?: HowToOpen): Promise<void> {
   try {
     const response = await fetch(address);

@@ -1,4 +1,4 @@
-/** What becomes of files that are opened together: a model, several models for the queue, or a settings file for the open model. */
+/** Decides how files that are opened together are used: as a model, as several models for the queue, or as a settings file for the open model. */
 
 import { describeConversion } from '../../engine/document/checks/other_formats';
 import { isModelName } from '../../engine/document/format_names';
@@ -14,7 +14,7 @@ import { say, sayCounted, sentence } from '../language/say';
 
 const ARCHIVE = /\.zip$/i;
 
-/** Never throws: what cannot be used is told in a notice. */
+/** Never throws: a notice names files that cannot be used. */
 export async function openAll(files: SourceFile[]): Promise<void> {
   if (files.length > 0 && files.every(isSettingsName)) return applySettings(files[0]);
   const all = await unpackedOf(files);

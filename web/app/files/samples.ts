@@ -17,16 +17,17 @@ export interface Sample {
 
 export const samples = signal<Sample[]>([]);
 
-/** Reads the list of samples, which the build makes. Without a list there are no samples. */
+/** Reads the list of samples, which the build writes. Without a list there are no samples. */
 export async function loadSamples(): Promise<void> {
   try {
     const response = await fetch('./samples/index.json');
     if (response.ok) samples.value = (await response.json()) as Sample[];
   } catch {
-    // The network is lost, or the host answers with another page. What the page opens at its start does not depend on it.
+    // The network is down, or the host answers with another page. What the page opens at its start does not depend on
+    // the list.
   }
 }
 
-/** `asked`: of a link, in place of what the sample brings along. */
+/** `asked`: the request of a link, which replaces the sample's own settings. */
 export const openSample = ({ file }: Sample, asked?: Wanted): Promise<void> =>
   openAddress(`./samples/${file}`, file, { asked, fresh: wantedOfSample(file, wants.settings.value) });

@@ -1,4 +1,4 @@
-/** Settings files brought back: the solver, its parameters and the number of faces that they were written for. */
+/** Reads settings files back: the solver, its parameters and the number of faces for which they were written. */
 
 import { batch } from '@preact/signals';
 import { originalMaterial, originalParameters } from '../../engine/report/original_parameters';
@@ -13,10 +13,10 @@ import { changeSettings, results, status, view, wants } from '../state/store';
 import { twin } from '../state/twin';
 import { count, say } from '../language/say';
 
-/** Whether a file is meant to be a settings file: a JSON document that is no report and no part of a model. */
+/** Whether a file is meant to be a settings file: a JSON document that is neither a report nor part of a model. */
 export const isSettingsName = ({ name }: SourceFile): boolean => /\.json$/i.test(name);
 
-/** The parameters as a text of the setting `engine`. Throws SettingError where they are out of their range. */
+/** The parameters as a text of the setting `engine`. Throws SettingError if they are out of range. */
 function engineAskedBy(file: SettingsFile): string {
   const engine = engineText(originalParameters(file));
   engineValues(file.solver, engine);
@@ -27,13 +27,13 @@ function engineAskedBy(file: SettingsFile): string {
 const facesIn = ({ bodies }: SettingsFile): number =>
   firstLevel(bodies).reduce((sum, { mesh }) => sum + mesh.triangles.length / 3, 0);
 
-/** What the file has of the body of this name; of a file of one body, which may have been renamed, that one. */
+/** The entry for the body of this name; in a file with one body, which may have been renamed, its only entry. */
 function entryNamed({ bodies }: SettingsFile, name: string): BodySettings | null {
   const first = firstLevel(bodies);
   return first.find((body) => body.name === name) ?? (first.length === 1 ? first[0] : null);
 }
 
-/** Takes over what a settings file says, for the model that is open, and shows it moving. */
+/** Applies a settings file to the open model and shows the model in motion. */
 export function applySettings({ name, bytes }: SourceFile): void {
   try {
     const file = readSettingsFile(name, new TextDecoder().decode(bytes));

@@ -1,4 +1,4 @@
-/** The language of the page: that of the browser unless the user has chosen one. English needs no table, as its sentences are the keys. */
+/** The language of the page: that of the browser unless the user has chosen one. English needs no table, because its sentences are the keys. */
 
 import { effect, signal } from '@preact/signals';
 import type { MessageTable } from './message_table';
@@ -8,24 +8,24 @@ export type Language = 'en' | 'ja';
 const STORE = 'limber-language';
 const NO_TABLE: MessageTable = {};
 
-/** Each table is a chunk of its own, loaded when it is first needed and kept for use without a network. */
+/** Each table is a chunk of its own, loaded when it is first needed and cached for use offline. */
 const LOADERS: Record<Language, () => Promise<MessageTable>> = {
   en: () => Promise.resolve(NO_TABLE),
   ja: () => import('./japanese/table').then(({ JAPANESE }) => JAPANESE),
 };
 
-/** What the page is shown in. It changes once the table of a chosen language is there. */
+/** The language in which the page is shown. It changes once the table of a chosen language is loaded. */
 export const shown = signal<{ language: Language; table: MessageTable }>({ language: 'en', table: NO_TABLE });
 
 const isLanguage = (word: string | null): word is Language => word === 'en' || word === 'ja';
 
-/** The first of the preferred languages, as BCP 47 tags, that the page knows; English where it knows none. */
+/** The first of the preferred languages, as BCP 47 tags, that the page supports; English if it supports none. */
 export function preferredLanguage(tags: readonly string[]): Language {
   const known = tags.map((tag) => tag.split('-')[0].toLowerCase()).find(isLanguage);
   return known ?? 'en';
 }
 
-/** A browser may refuse its store; then every visit is a first one. */
+/** A browser may refuse access to its storage; then every visit counts as the first one. */
 function remembered(): Language | null {
   try {
     const word = localStorage.getItem(STORE);

@@ -1,12 +1,12 @@
 /**
- * What the page says, in its language. The English sentence is the key of the message table, so that panels can be read, and a
- * sentence without an entry is shown in English. Placeholders are names in braces.
+ * Translates the texts of the page. The English sentence is the key of the message table, so that the source of panels
+ * is readable, and a sentence without an entry is shown in English. Placeholders are names in braces.
  */
 
 import { shown } from './language';
 import type { MessageTable } from './message_table';
 
-/** What takes the place of `{name}`. */
+/** The value that replaces `{name}`. */
 export type Values = Readonly<Record<string, string | number>>;
 
 const PLACEHOLDER = /\{(\w+)\}/g;
@@ -18,10 +18,10 @@ const fill = (template: string, values: Values): string =>
 export const say = (english: string, values: Values = {}): string =>
   fill(shown.value.table[english] ?? english, values);
 
-/** A number in the form of the language of the page. */
+/** A number in the format of the page's language. */
 export const count = (value: number): string => value.toLocaleString(shown.value.language);
 
-/** A number of things: `one` for a single one, otherwise `other`, the key of the table, in both of which `{count}` is the number. */
+/** A number of things: `one` for exactly one, otherwise `other`, the key of the table; `{count}` is the number in both. */
 export function sayCounted(number: number, one: string, other: string, values: Values = {}): string {
   const { language, table } = shown.value;
   const isOne = language === 'en' && new Intl.PluralRules(language).select(number) === 'one';
@@ -63,7 +63,7 @@ function patterns(table: MessageTable): Pattern[] {
   return found;
 }
 
-/** Placeholders that stand for numbers alone, so that "{first} to {last}" is the form of no other sentence. */
+/** Placeholders that only match numbers, so that "{first} to {last}" does not match other sentences. */
 const NUMBERS = new Set(['all', 'count', 'first', 'last', 'line', 'number']);
 
 /** `split` gives texts and names of placeholders in turn. */
@@ -74,7 +74,7 @@ function partOfForm(part: string, i: number): string {
 
 /**
  * A finished English sentence of the engine in the language of the page: by its entry, or by an entry with placeholders of the
- * same form, whose values are sought in the table, too. A sentence of no known form stays as it is.
+ * same form, whose values are looked up in the table, too. A sentence of an unknown form is returned unchanged.
  */
 export function sentence(english: string): string {
   const { table } = shown.value;

@@ -1,4 +1,4 @@
-/** What is running, how far it is and how long it will take. */
+/** The running work, its progress and the remaining time. */
 
 import { Spoken } from '../controls/spoken';
 import { describeLeft, shareDone } from '../state/remaining';
@@ -25,7 +25,7 @@ export function Busy() {
   );
 }
 
-/** "24 %, 40 s left" for the bodies of a file together, otherwise the phase, too: last, where a narrow place cuts it. */
+/** "24 %, 40 s left" for all bodies of a file, otherwise the phase, too: last, because narrow layouts truncate the end. */
 function describeProgress(progress: CallProgress | null, seconds: number | null): string {
   const left = describeLeft(seconds);
   const share = shareDone(progress);

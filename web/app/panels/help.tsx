@@ -1,4 +1,4 @@
-/** The list of keys, and what words mean. */
+/** The list of keys, and the meaning of terms. */
 
 import { useHeadingFocus } from '../controls/heading_focus';
 import { LanguageChoice } from '../controls/language_choice';

@@ -1,4 +1,4 @@
-/** What has gone wrong or is to be known, over the upper edge of the viewport. */
+/** Errors and notes, over the upper edge of the viewport. */
 
 import { resume } from '../state/runner';
 import { results, status } from '../state/store';

@@ -21,7 +21,7 @@ export function Readouts() {
   return <ResultReadouts body={body} faces={faceCount(result.mesh)} />;
 }
 
-/** Which mesh of a scene the numbers are of. */
+/** The mesh of a scene that the numbers describe. */
 function NameReadout() {
   const { bodies } = results.file.value!;
   const chosen = wants.body.value;
@@ -70,7 +70,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
   );
 }
 
-/** What is spoken once the result is measured; '' before that. */
+/** The text for screen readers once the result is measured; '' before that. */
 function spokenResult(body: BodySummary, faces: number): string {
   const metrics = shownMetrics.value;
   if (!metrics) return '';

@@ -7,7 +7,7 @@ import { linkOfWants } from '../state/saved_session';
 import { results, status } from '../state/store';
 import { say } from '../language/say';
 
-/** Some programs cut links that are longer than this. */
+/** Some programs truncate longer links. */
 const LONG_LINK = 8000;
 
 export function ShareLink() {
@@ -34,7 +34,7 @@ function warnOfLength({ length }: string): void {
   };
 }
 
-/** Carries all settings, and names the file. */
+/** The link contains all settings and the name of the file. */
 function shareLink(): string {
   const file = results.file.value!.name;
   const sample = samples.value.find((one) => one.file === file);

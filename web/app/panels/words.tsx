@@ -1,4 +1,4 @@
-/** The words of the page: each in a sentence for an artist, and one for an engineer. */
+/** The terms of the page: each explained in a sentence for an artist, and one for an engineer. */
 
 import { say } from '../language/say';
 

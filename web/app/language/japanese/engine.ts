@@ -1,6 +1,6 @@
 /**
- * Sentences and clauses that the engine writes in English, by their form: `sentence` finds them when they are shown. What
- * has no entry here is shown in English.
+ * Sentences and clauses that the engine writes in English, by their form: `sentence` finds them when they are shown. A
+ * sentence without an entry here is shown in English.
  */
 
 import type { MessageTable } from '../message_table';

@@ -1,4 +1,4 @@
-/** What the export panel says of formats, presets and levels. */
+/** The texts of the export panel on formats, presets and levels. */
 
 import type { MessageTable } from '../message_table';
 

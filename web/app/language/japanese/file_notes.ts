@@ -1,4 +1,4 @@
-/** What the readers of files say of what they have read, by the form of the English sentences. */
+/** The notes of the file readers on what they have read, by the form of the English sentences. */
 
 import type { MessageTable } from '../message_table';
 

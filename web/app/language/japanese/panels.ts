@@ -1,4 +1,4 @@
-/** The comparison of methods, pictures, the queue, what settings do, and what is told of files and modes. */
+/** The comparison of methods, pictures, the queue, the explanations of settings, and notes on files and modes. */
 
 import type { MessageTable } from '../message_table';
 

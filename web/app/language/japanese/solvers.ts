@@ -1,4 +1,4 @@
-/** The solvers and their parameters; names of engines and of their parameters stay as they are. */
+/** The solvers and their parameters; names of engines and of their parameters are not translated. */
 
 import type { MessageTable } from '../message_table';
 

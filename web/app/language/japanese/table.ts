@@ -1,4 +1,4 @@
-/** The Japanese of the page, of which each file has a part. */
+/** The Japanese texts of the page, divided among the files of this folder. */
 
 import type { MessageTable } from '../message_table';
 import { ENGINE } from './engine';

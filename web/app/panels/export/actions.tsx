@@ -1,4 +1,4 @@
-/** The buttons that save the result and what belongs to it, and the command that writes the same. */
+/** The buttons that save the result and its companion files, and the command that writes the same. */
 
 import type { Settings } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
@@ -12,7 +12,7 @@ import { results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { say } from '../../language/say';
 
-/** What the panel is opened for. */
+/** The main actions of the panel. */
 export function SaveButtons({ exported }: { exported: ExportResult | null }) {
   const { output, binding } = exportRequest();
   const { lods, solver } = wants.settings.value;
@@ -52,7 +52,7 @@ export function SaveButtons({ exported }: { exported: ExportResult | null }) {
   );
 }
 
-/** What says how the result was made. */
+/** The files that document how the result was made. */
 export function Records({ exported }: { exported: ExportResult | null }) {
   return (
     <div class="actions">
@@ -62,7 +62,7 @@ export function Records({ exported }: { exported: ExportResult | null }) {
   );
 }
 
-/** The settings as the command needs them: the name says the format, and what is left out has to be named. */
+/** The settings as the command needs them: the file name determines the format, and excluded bodies have to be named. */
 function asTyped(): Settings {
   const settings = exportSettings(wants.settings.value);
   const refused = results.file.value!.dropped.filter((text) => text.startsWith(extension));

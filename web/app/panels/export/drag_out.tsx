@@ -1,4 +1,4 @@
-/** The result as something to take with the mouse: dropped on a folder or another program, it is a file there. */
+/** A handle to drag the result out of the page: dropped on a folder or another program, it becomes a file there. */
 
 import { exportFormatOf } from '../../worker/export_form';
 import { exportRequest } from '../../state/export_request';
@@ -9,7 +9,7 @@ import { say } from '../../language/say';
 /** ms for which a dropped file can still be fetched. */
 const KEPT_MILLISECONDS = 60_000;
 
-/** Chromium alone lets a page hand out files; it is known by this property. */
+/** Only Chromium lets a page be the source of dragged files; this property identifies it. */
 const canDragOut = 'userAgentData' in navigator;
 
 export function DragOut({ exported }: { exported: ExportResult | null }) {

@@ -1,4 +1,4 @@
-/** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
+/** The contents of the exported files, what they omit, the verdict of the validator, and the buttons that save them. */
 
 import { useEffect, useRef } from 'preact/hooks';
 import { exportedKey, exportRequest } from '../../state/export_request';
@@ -19,7 +19,7 @@ import { Verdict } from './verdict';
 import './export_panel.css';
 import { listed, say, sayCounted, sentence } from '../../language/say';
 
-/** The files that are shown and saved; null while they are those of earlier settings. */
+/** The files that are shown and saved; null while they belong to earlier settings. */
 const currentExport = (): ExportResult | null =>
   results.exported.value?.key === exportedKey() ? results.exported.value : null;
 
@@ -72,7 +72,7 @@ const describeFile = (exported: ExportResult | null): string =>
       })
     : say('Writing and checking ...');
 
-/** What the file carries besides its faces: "positions, normals, 1 UV set and 2 skins". */
+/** The contents of the file apart from its faces: "positions, normals, 1 UV set and 2 skins". */
 function carriedWords(): string {
   const { contents } = results.file.value!;
   const { isGltf, hasTextures } = exportFormatOf(wants.settings.value);
@@ -98,7 +98,7 @@ function carriedWords(): string {
 const several = (number: number, one: string, other: string): string =>
   number > 0 ? sayCounted(number, one, other) : '';
 
-/** `isKnown`: whether the file is written and checked, so that nothing else can be lost. */
+/** `isKnown`: whether the file has been written and checked, so that the list of losses is complete. */
 function LeftOut({ dropped, isKnown }: { dropped: string[]; isKnown: boolean }) {
   return (
     <Section title="Left out">

@@ -1,4 +1,4 @@
-/** In which format the file is written, how it stores vertices, and what goes into it besides the meshes. */
+/** The format of the file, how it stores vertices, and what it contains in addition to the meshes. */
 
 import type { Compression } from '../../../engine/core/output_choices';
 import { OPTIONS } from '../../../engine/settings/options';
@@ -17,7 +17,7 @@ export const COMPRESSION_NAMES: Record<Compression, string> = {
   draco: 'Draco',
 };
 
-/** What each kind of compression asks of those who open the file. */
+/** What each kind of compression requires of the programs that open the file. */
 const COMPRESSION_WORDS: Record<Compression, string> = {
   'like-input': 'Vertices are stored as they came.',
   none: 'Every program reads it.',

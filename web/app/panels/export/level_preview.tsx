@@ -11,14 +11,14 @@ import { levelAtHeight, switchHeights } from './level_chain';
 import { LevelView } from './level_view';
 import { say } from '../../language/say';
 
-/** Heights on the screen, pixels: from all of a common screen to what can just be seen. */
+/** Heights on the screen, pixels: from a full common screen down to the smallest visible size. */
 const TALLEST = 1080;
 const SMALLEST = 8;
 const STEPS = 200;
-/** The first step at which all of the model is within the picture. */
+/** The first step at which the whole model is within the picture. */
 const FIRST_STEP = 72;
 
-/** The same steps of the slider are the same factors of the height. */
+/** Equal steps of the slider are equal factors of the height. */
 const heightOf = (step: number): number => Math.round(TALLEST * (SMALLEST / TALLEST) ** (step / STEPS));
 
 export function LevelPreview() {
@@ -77,7 +77,7 @@ function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
   );
 }
 
-/** The first step at which a level is shown; of a level that never is, the step of the next one. */
+/** The first step at which a level is shown; for a level that is never shown, that of the next one. */
 function stepFor(heights: readonly number[], level: number): number {
   if (level === 0) return 0;
   for (let step = 0; step <= STEPS; ++step) if (levelAtHeight(heights, heightOf(step)) >= level) return step;
@@ -91,7 +91,7 @@ function describeSwitch(heights: readonly number[], level: number): string {
   return say('below {pixels} px', { pixels: count(Math.round(heights[level - 1])) });
 }
 
-/** Draws what is asked for as soon as the levels are loaded. */
+/** Draws the requested level as soon as the levels are loaded. */
 function useLevelView(levels: DrawnLevels['levels'], number: number, height: number | null) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<LevelView | null>(null);
@@ -102,7 +102,7 @@ function useLevelView(levels: DrawnLevels['levels'], number: number, height: num
     try {
       view.current = new LevelView(canvas.current!);
     } catch {
-      return; // names and numbers are still of use
+      return; // names and numbers are still useful
     }
     const own = view.current;
     own

@@ -6,7 +6,7 @@ import { SceneModel } from '../../viewer/file/scene_model';
 import type { SceneLook } from '../../viewer/file/scene_model';
 
 const FIELD_OF_VIEW = 30;
-/** The share of the picture that a level fills where it is drawn large. */
+/** The share of the picture that a level fills when drawn large. */
 const FILLED = 0.94;
 
 const look: SceneLook = {
@@ -65,10 +65,10 @@ export class LevelView {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** A diagonal of `pixels` in the middle of the picture, seen from so far that nothing is distorted. */
+  /** A diagonal of `pixels` in the middle of the picture, from so far away that there is no perspective distortion. */
   private aimCamera(pixels: number, width: number, height: number): void {
     const { camera, radius } = this;
-    // Zoom, not nearness, makes it large: a camera that is near would look at one end from inside the body.
+    // Zoom, not proximity, makes it large: a camera nearby would see one end from inside the body.
     const distance = 5 * radius;
     const seen = 2 * distance * Math.tan(THREE.MathUtils.degToRad(FIELD_OF_VIEW / 2));
     camera.zoom = (pixels * seen) / (height * 2 * radius);

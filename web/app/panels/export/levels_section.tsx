@@ -1,4 +1,4 @@
-/** Further levels of detail: which shares of the faces they have, where they go, and a look at them. */
+/** Further levels of detail: their ratios, where they are written, and a preview. */
 
 import { useId, useState } from 'preact/hooks';
 import { describeFinerLevels } from '../../../engine/report/level_words';
@@ -21,7 +21,7 @@ const STYLES: Record<LevelStyle, string> = {
   msft: 'MSFT_lod',
 };
 
-/** Who reads each style. */
+/** The programs that read each style. */
 const STYLE_WORDS: Record<LevelStyle, string> = {
   files: 'One more file for each level, NAME_lod1 and so on.',
   nodes: 'Unity and Unreal make a group of levels of such names; other viewers show them all at once.',
@@ -63,12 +63,12 @@ export function LevelsSection({ exported }: { exported: ExportResult | null }) {
   );
 }
 
-/** The text field for the shares of faces of further levels, separated by commas. */
+/** The text field for the ratios of further levels, separated by commas. */
 function LevelsField() {
   const id = useId();
   const { lods } = wants.settings.value;
   const [last, setLast] = useState<{ text: string; why: string; beside: string } | null>(null);
-  // Levels that are changed otherwise take the place of the text.
+  // Levels that are changed elsewhere replace the text.
   const typed = last?.beside === lods.join() ? last : null;
   const refused = typed && typed.why !== '' ? typed : null;
   const change = (text: string) => {
@@ -104,7 +104,7 @@ const describeNoLevel = (word: string, faces: number): string =>
     faces: count(faces),
   });
 
-/** Why levels make no chain: they have more faces than the result before them. */
+/** Why levels do not form a chain: they have more faces than the result before them. */
 function FinerLevels({ output, levels = [] }: ExportResult['report']) {
   const written = levels.map(({ file, output: { faces } }) => ({ file, faces }));
   return describeFinerLevels(output?.faces ?? 0, written, `“${OPTIONS.lods.label}”`).map((text) => (

@@ -1,4 +1,4 @@
-/** Settings for what the result is made for: what they change is said before they are taken. */
+/** Presets for the purpose of the result: their changes are listed before they are applied. */
 
 import { useState } from 'preact/hooks';
 import { PRESET_NAMES, presetChanges, PRESETS, settingsOfPreset } from '../../../engine/settings/presets';

@@ -1,4 +1,4 @@
-/** Settings and their values in the words of the controls that the page has for them. */
+/** Settings and their values in the words of their controls on the page. */
 
 import { defaultSettings, OPTIONS, SETTING_NAMES } from '../../../engine/settings/options';
 import type { OptionSpec, SettingName, Settings } from '../../../engine/settings/options';
@@ -14,7 +14,7 @@ type ChoiceWords = Partial<Record<SettingName, Readonly<Record<string, string>>>
 const textsOf = (choices: readonly { value: string; text: string }[]): Record<string, string> =>
   Object.fromEntries(choices.map(({ value, text }) => [value, text]));
 
-/** Words for the choices of a list or of buttons; of a switch "on" and "off". */
+/** Words for the choices of a list or of buttons; "on" and "off" for a switch. */
 const CHOICES: ChoiceWords = {
   compress: COMPRESSION_NAMES,
   fit: textsOf(FIT_CHOICES),
@@ -24,7 +24,7 @@ const CHOICES: ChoiceWords = {
   seams: { cross: 'on', keep: 'off' },
 };
 
-/** Names of controls that are not called after their setting. */
+/** Names of controls that differ from the name of the setting. */
 const LABELS: Partial<Record<SettingName, string>> = {
   material: 'Solver',
   borders: FIX_BORDERS,
@@ -48,7 +48,7 @@ function numberWords(name: SettingName, value: number): string {
   return unit ? `${value}\u00a0${unit.startsWith('%') ? '%' : say(unit)}` : String(value);
 }
 
-/** The settings of a result that are not the default, but for its format: "Compression: Draco, Largest deviation: 0.5 %". */
+/** The settings of a result that differ from the defaults, except its format: "Compression: Draco, Largest deviation: 0.5 %". */
 export function changedWords(settings: Settings): string {
   const usual = defaultSettings();
   return SETTING_NAMES.filter((name) => name !== 'format' && !OPTIONS[name].isOfMachine)

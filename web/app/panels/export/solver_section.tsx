@@ -1,4 +1,4 @@
-/** Where the result will move: the solver that it is tuned for, the user's parameters there, and what the tuning has found. */
+/** Where the result will move: the solver for which it is tuned, the user's parameters there, and the result of the tuning. */
 
 import { useId, useState } from 'preact/hooks';
 import type { Report } from '../../../engine/report/report';
@@ -22,7 +22,7 @@ const SOLVERS = [
   ...SOLVER_NAMES.map((name) => ({ value: name, text: profileOf(name).label })),
 ];
 
-/** `report`: of what is shown as exported; null while that is not known. */
+/** `report`: of the export that is shown; null while unknown. */
 export function SolverSection({ report }: { report: Report | null }) {
   const { solver } = wants.settings.value;
   return (

@@ -1,4 +1,4 @@
-/** What the Khronos validator finds in the result, and how much of it was in the file already. */
+/** What the Khronos validator finds in the result, and how much of it was already in the input. */
 
 import { knownMessages } from '../../../engine/document/facts/known_messages';
 import type { Validation } from '../../../engine/document/validate';
@@ -40,7 +40,7 @@ export function Verdict({ exported }: { exported: ExportResult }) {
   );
 }
 
-/** How much of what the validator says it said of the input, too. */
+/** How many of the validator's findings it also reports for the input. */
 function KnownMessages({ result, input }: { result: Validation; input: Validation | null }) {
   const { length: all } = result.messages;
   if (all === 0 || !input) return null;

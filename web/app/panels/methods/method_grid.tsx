@@ -1,4 +1,4 @@
-/** The original and each method's result from one eye; dragging or the arrow keys turn all of them. */
+/** The original and each method's result from one viewpoint; dragging or the arrow keys rotate all of them. */
 
 import { useEffect, useRef } from 'preact/hooks';
 import type { TriangleMesh } from '../../../engine/core/core';
@@ -16,7 +16,7 @@ import { say } from '../../language/say';
 /** Radians per pixel and per press of a key. */
 const PER_PIXEL = 0.01;
 const PER_PRESS = Math.PI / 24;
-/** A pointer that has moved farther, in pixels, has turned the view and does not click. */
+/** A pointer that has moved farther than this, in pixels, has rotated the view and does not click. */
 const CLICK_PIXELS = 4;
 const WIRE_STRENGTH = 0.45;
 
@@ -57,7 +57,7 @@ export function MethodGrid({ original, results, onChoose }: GridProps) {
             disabled={!results[i]}
             aria-pressed={wants.settings.value.method === name}
             onClick={({ detail }) => {
-              // A key clicks as well, however far the pointer has moved before.
+              // A key press also clicks, however far the pointer has moved before.
               if (detail === 0 || !drag.hasMoved()) onChoose(name);
             }}
           >
@@ -84,7 +84,7 @@ const describe = ({ faces, frequencyErrorMean }: MethodResult): string =>
         error: fixed(frequencyErrorMean, 1),
       });
 
-/** One renderer for as long as the grid is shown; null without WebGL2, where the numbers are still of use. */
+/** One renderer for as long as the grid is shown; null without WebGL2, when the numbers are still useful. */
 function usePictures() {
   const pictures = useRef<MethodPictures | null>(null);
   useEffect(() => {
@@ -118,7 +118,7 @@ function rotateByKey(event: KeyboardEvent, rotate: Rotate): void {
   rotate(...rotation);
 }
 
-/** Turns the view while a button of the pointer is down. */
+/** Rotates the view while a pointer button is down. */
 function useDrag(rotate: Rotate) {
   const last = useRef<{ x: number; y: number } | null>(null);
   const way = useRef(0);

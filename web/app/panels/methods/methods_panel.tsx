@@ -1,4 +1,4 @@
-/** Methods at an equal budget: pictures from one eye, and a table to copy. */
+/** Methods at an equal budget: pictures from one viewpoint, and a table to copy. */
 
 import { useState } from 'preact/hooks';
 import { methodChange } from '../../../engine/settings/options';
@@ -38,7 +38,7 @@ function OpenPanel({ original }: { original: { positions: Float32Array; triangle
       aria-labelledby="methods-title"
       onKeyDown={(event) => {
         if (event.key !== 'Escape') return;
-        // It closes the panel and does nothing else.
+        // Escape closes the panel and does nothing else.
         event.stopPropagation();
         close();
       }}
@@ -89,7 +89,7 @@ function Progress({ done }: { done: number }) {
   );
 }
 
-/** Uses a method where Limber has it; otherwise says what can be done. */
+/** Uses a method if Limber has it; otherwise says what can be done. */
 function choose(name: ComparedMethod): string {
   if (!isOwnMethod(name))
     return say(

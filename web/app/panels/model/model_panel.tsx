@@ -1,4 +1,4 @@
-/** Step 1: what the file contains and what state it is in. */
+/** Step 1: the contents and the condition of the file. */
 
 import { changeSettings, results, wants } from '../../state/store';
 import { sizeAfter } from '../../state/export_request';
@@ -42,7 +42,7 @@ export function ModelFacts() {
   );
 }
 
-/** What the reader says of the file as a whole. */
+/** The notes of the reader on the file as a whole. */
 function FileNotes() {
   const { notes } = results.file.value!;
   if (notes.length === 0) return null;
@@ -55,7 +55,7 @@ function FileNotes() {
   );
 }
 
-/** What an artist looks for in a file. */
+/** The facts about a file that matter to an artist. */
 function Contents() {
   const { contents, size } = results.file.value!;
   const after = sizeAfter.value;
@@ -101,7 +101,7 @@ function FactList({ rows }: { rows: [string, string][] }) {
   );
 }
 
-/** A file does not say its unit, and one in centimetres would be as heavy and slow as a house. */
+/** A file does not specify its unit; a model in centimetres, read as metres, would be as heavy and slow as a house. */
 function UnitQuestion() {
   const { diagonal, scale } = results.body.value!;
   const likelier = likelierUnit(diagonal * scale, wants.settings.value.unit);

@@ -1,9 +1,9 @@
-/** What is wrong with a mesh of the file, in one line. */
+/** The problem of a mesh of the file, in one line. */
 
 import type { OpenedBody } from '../../worker/protocol';
 import { say, sentence } from '../../language/say';
 
-/** '' where nothing limits what can be done with it. */
+/** '' if nothing limits its use. */
 export function describeProblems({ health }: OpenedBody): string {
   if (health === null) return say('It cannot be used, and stays as it is');
   const limits = health.filter(({ kind }) => kind === 'limit').map(({ text }) => sentence(text));

@@ -1,4 +1,4 @@
-/** The meshes of the file: how many faces they have and keep, what is wrong with them, and whether they are shown and left alone. */
+/** The meshes of the file: their faces before and after, their problems, and whether they are shown and locked. */
 
 import { describeProblems } from './problems';
 import { shownResultFile } from '../../state/drawn_file';
@@ -35,7 +35,7 @@ export function SceneTree() {
   );
 }
 
-/** As it is, and as it is exported where that is known. */
+/** The current number of faces, and the exported one if known. */
 function describeFaces(body: OpenedBody, i: number): string {
   const after = shownResultFile.value?.faces[i] ?? results.shares.value?.expected[i] ?? 0;
   return after > 0 ? `${count(body.faces)} → ${count(after)}` : count(body.faces);

@@ -57,7 +57,7 @@ function makeThumbnails(): Thumbnails | null {
   try {
     return new Thumbnails();
   } catch {
-    return null; // without WebGL2 names and numbers are still of use
+    return null; // without WebGL2 names and numbers are still useful
   }
 }
 

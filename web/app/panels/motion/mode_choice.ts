@@ -1,4 +1,4 @@
-/** Which modes guide, and what a click on one does. */
+/** The guiding modes, and the effect of a click on a mode. */
 
 import { resolveModes } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
@@ -6,7 +6,7 @@ import { changeSettings, wants } from '../../state/store';
 /** The guiding modes, from 1. */
 export const guidingModes = (): number[] => resolveModes(wants.settings.value);
 
-/** Makes one mode guide alone; with `isBlending` adds it to the others or removes it from them. */
+/** Makes a mode the only guiding one; with `isBlending` adds it to the others or removes it from them. */
 export function chooseMode(mode: number, isBlending: boolean): void {
   const chosen = guidingModes();
   if (!isBlending) return changeSettings({ modes: [mode], modeWeights: [] });

@@ -1,4 +1,4 @@
-/** Step 2: the elastic model, the material, the pins, and how the modes swing. */
+/** Step 2: the elastic model, the material, the pins, and the animation of the modes. */
 
 import { describeResiduals } from '../../../engine/body/health';
 import { coarseVerticesOf, describeModels } from '../../../engine/core/mode_set';
@@ -108,7 +108,7 @@ function PlaySection() {
   );
 }
 
-/** Whether the modes were found on a coarser copy, or would be without this choice. */
+/** Whether the modes were computed on a coarser copy, or would be without this choice. */
 const showsExactToggle = (): boolean =>
   wants.settings.value.exact || (results.modes.value !== null && coarseVerticesOf(results.modes.value) > 0);
 

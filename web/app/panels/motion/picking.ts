@@ -1,4 +1,4 @@
-/** What the pick tool does to the pins, and the dots that show them. On the Reduce step the same tool paints. */
+/** Applies the pick tool to the pins, and shows them as dots. On the Reduce step the same tool paints. */
 
 import { batch } from '@preact/signals';
 import { editPins } from '../../../engine/settings/pin_edits';
@@ -23,7 +23,8 @@ export function connectPicking(canvas: HTMLCanvasElement, viewport: Viewport): P
   return new PickTool(canvas, {
     tool: () => (isBrushing.value ? brush : isPicking.value ? pins : null),
     mesh: () => (isPicking.value || isBrushing.value ? (results.body.value?.mesh ?? null) : null),
-    // Both meshes stand at the same place, so that a stroke over either paints the original; pins are of what is seen.
+    // Both meshes are at the same position, so that a stroke over either paints the original; pins apply to the visible
+    // mesh.
     rayAt: (x, y, fromX) =>
       isBrushing.value || viewport.paneAt(x) === 'original' ? viewport.rayAt(x, y, fromX) : null,
     isBroad: () => isBrushing.value,
@@ -73,7 +74,7 @@ function pinVertices(vertices: number[], isPinning: boolean): void {
   });
 }
 
-/** Shows the pins on every step where something can move. */
+/** Shows the pins on every step with moving bodies. */
 export function showPins(viewport: Viewport | null): void {
   const isShown = view.step.value !== 'model' && results.body.value !== null;
   // On the Test step the moving bodies show their own pins.

@@ -11,7 +11,7 @@ import { RefusedText } from '../../controls/refused_text';
 import { count } from '../../controls/numbers';
 import { say } from '../../language/say';
 
-/** How much of the body is an end, in % of its length. */
+/** The size of an end of the body, in % of its length. */
 const END = '6';
 
 export function PinsSection() {

@@ -1,4 +1,4 @@
-/** The deviation of the Test step over time as a drawing of its own: an SVG file with axes and words. */
+/** The deviation of the Test step over time as a standalone drawing: an SVG file with axes and labels. */
 
 import type { TwinSample } from '../../../engine/motion/twin';
 import { fixed } from '../../controls/numbers';
@@ -12,7 +12,7 @@ const LEAST = 0.01;
 
 const COLOURS = { text: '#17212b', line: '#c9d2da', deviation: '#2563c9', noise: '#8a5300' };
 
-/** `title`: what moved, as one line. */
+/** `title`: the moving body and scenario, in one line. */
 export function deviationSvg(samples: readonly TwinSample[], title: string): string {
   const end = samples.at(-1)?.time ?? 1;
   const most = samples.reduce((high, { mean, noise }) => Math.max(high, mean, noise ?? 0), LEAST);

@@ -27,11 +27,11 @@ const HEIGHT = 720;
 /** Edges of a mesh with more faces cannot be told apart in a picture. */
 const MAX_FACES_WITH_EDGES = 12_000;
 
-/** A body of the figure with the words below it. */
+/** A body of the figure with its caption. */
 interface CaptionedBody extends FigureBody {
   title: string;
   detail: string;
-  /** whether the scale of the strain stands below */
+  /** whether the strain scale is drawn below */
   hasScale: boolean;
 }
 
@@ -42,12 +42,12 @@ export const canDrawFigure = (): boolean =>
   shownMetrics.value !== null &&
   shownMesh.value !== null;
 
-/** PNG; null where it was cancelled. */
+/** PNG; null if it was cancelled. */
 export async function figurePng(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
   const original = results.body.value!.mesh;
   const result = shownMesh.value!;
   const motion = scenarioWords(wants.settings.value.scenario).label;
-  // Another body may be chosen while both are moved.
+  // Another body may be chosen while both are simulated.
   const atRest = [
     plain('Original', original),
     ...modeBodies(original, results.modes.value!, shownOverview.value!),
@@ -107,7 +107,7 @@ function strainBody(mesh: TriangleMesh): CaptionedBody {
   };
 }
 
-/** From the direction in which the stage is seen now. */
+/** From the current viewing direction of the stage. */
 function drawBodies(bodies: readonly CaptionedBody[], { orbit }: Viewport): FigurePicture[] {
   const { clay, wire } = LIGHT;
   const drawn: FigurePicture[] = [];

@@ -8,7 +8,7 @@ export interface FigurePicture {
   canvas: HTMLCanvasElement;
   title: string;
   detail: string;
-  /** whether the scale of the strain stands below */
+  /** whether the strain scale is drawn below */
   hasScale: boolean;
 }
 

@@ -1,10 +1,10 @@
-/** Draws into a picture what stands around the stage: the names of the panes and what the colours mean. */
+/** Draws the legend of the stage into a picture: the names of the panes and the meaning of the colours. */
 
 import { isSplit } from '../reduce/compare';
 import { shownField, view } from '../../state/store';
 import { colourAt } from '../../viewer/colours';
 
-/** Text and colours as the page has them now. */
+/** The current text and colours of the page. */
 export interface PageStyle {
   text: string;
   muted: string;
@@ -21,7 +21,7 @@ export function pageStyle(): PageStyle {
   };
 }
 
-/** What stands beside a colour map. */
+/** The labels next to a colour map. */
 interface Bar {
   low: string;
   title: string;
@@ -33,7 +33,7 @@ const STOPS = 32;
 const texts = (selector: string): string[] =>
   [...document.querySelectorAll<HTMLElement>(selector)].map((one) => one.textContent.trim());
 
-/** The names as they stand over the stage: the first part bold, the rest muted. */
+/** The names as shown over the stage: the first part bold, the rest muted. */
 function paneNames(): { name: string; detail: string }[] {
   return [...document.querySelectorAll<HTMLElement>('.pane-labels > span')].map((label) => {
     const detail = label.querySelector('.muted')?.textContent ?? '';

@@ -1,4 +1,4 @@
-/** Saves what the stage shows: as a picture of any size, a video, a chart or a figure. */
+/** Saves the content of the stage: as a picture of any size, a video, a chart or a figure. */
 
 import { scenarioWords } from '../../../engine/core/scenarios';
 import { Choice, Section, Select, Toggle } from '../../controls/controls';
@@ -43,7 +43,7 @@ function OpenPanel() {
       aria-labelledby="pictures-title"
       onKeyDown={(event) => {
         if (event.key !== 'Escape') return;
-        // It closes the panel and does nothing else.
+        // Escape closes the panel and does nothing else.
         event.stopPropagation();
         close();
       }}
@@ -87,7 +87,7 @@ function Working() {
 
 type Making = Parameters<typeof makePicture>[0];
 
-/** A button that makes one file at a time; nothing happens without a picture on the page. */
+/** A button that makes one file at a time; it does nothing without a picture on the page. */
 function MakeButton({ text, isPrimary = false, disabled = false, title, file, make }: MakeButtonProps) {
   const isWorking = pictures.work.value !== null;
   return (
@@ -96,7 +96,7 @@ function MakeButton({ text, isPrimary = false, disabled = false, title, file, ma
       class={isPrimary ? 'primary' : undefined}
       title={title && say(title)}
       disabled={disabled}
-      // A disabled button would lose the focus, and Escape would no longer be the panel's.
+      // A disabled button would lose the focus, and Escape would no longer reach the panel.
       aria-disabled={isWorking}
       onClick={() => {
         const { current } = viewportHandle;

@@ -1,4 +1,4 @@
-/** The panel of pictures: what is asked for, and what is being drawn. */
+/** The state of the pictures panel: the requested picture, and the one being drawn. */
 
 import { signal } from '@preact/signals';
 import { pictureName } from '../../state/export_request';
@@ -14,14 +14,14 @@ export type VideoFormat = 'webm' | 'gif';
 export const pictures = {
   isOpen: signal(false),
   size: signal<SizeName>('2x'),
-  /** pixels, of a size of one's own */
+  /** pixels, of a custom size */
   custom: signal({ width: 1920, height: 1080 }),
   hasLegend: signal(true),
   isTransparent: signal(false),
   format: signal<VideoFormat>('webm'),
   /** s, of a video */
   seconds: signal(4),
-  /** what is being drawn, and how far it is, 0..1 */
+  /** the picture being drawn, and its progress, 0..1 */
   work: signal<{ what: string; share: number } | null>(null),
 };
 
@@ -46,7 +46,7 @@ export async function makePicture(
   const onProgress = (share: number): void => void (pictures.work.value = { what, share });
   onProgress(0);
   try {
-    // What is going on is shown before the work begins.
+    // Shows the progress before the work begins.
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
     const content = await make({ signal: own.signal, onProgress });
     if (content !== null && !own.signal.aborted) download(name, content, type);

@@ -18,7 +18,7 @@ import type { PictureSize, StageMoment } from './stage_picture';
 interface Format {
   /** frames per second; whole steps of a simulation last as long as one */
   rate: number;
-  /** A longer side would take encoders too long, or make a file that is too large. */
+  /** With a longer side encoding would take too long, or the file would be too large. */
   mostPixels: number;
   open(size: RecordedSize): Promise<FrameRecorder>;
 }
@@ -29,7 +29,7 @@ const FORMATS: Record<VideoFormat, Format> = {
 };
 const format = (): Format => FORMATS[pictures.format.value];
 
-/** As the chosen size, with even sides, which video needs. */
+/** The chosen size with even sides, which video requires. */
 function videoSize(mostPixels: number): PictureSize {
   const { width, height, scale } = sizeOf(pictures.size.value);
   const factor = Math.min(1, mostPixels / Math.max(width, height));
@@ -37,7 +37,7 @@ function videoSize(mostPixels: number): PictureSize {
   return { width: even(width), height: even(height), scale: factor * scale };
 }
 
-/** Draws `frames` pictures, each after what `prepare` waits for; null where it was cancelled. */
+/** Draws `frames` pictures, each after awaiting `prepare`; null if it was cancelled. */
 async function record(
   viewport: Viewport,
   { signal, onProgress }: PictureJob,
@@ -64,7 +64,7 @@ async function record(
 
 const frameCount = (): number => Math.max(1, Math.round(format().rate * pictures.seconds.value));
 
-/** One turn around the stage, during which what plays goes on. */
+/** One turn around the stage, while animations continue. */
 export function recordTurntable(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
   const frames = frameCount();
   const { rate } = format();
@@ -73,7 +73,7 @@ export function recordTurntable(viewport: Viewport, job: PictureJob): Promise<Ui
   return record(viewport, job, { frames, prepare });
 }
 
-/** The motion of the Test step from its start, at its own pace however long a step takes. */
+/** The motion of the Test step from its start, in real time however long a step takes to compute. */
 export async function recordTest(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
   const steps = Math.round(1 / (format().rate * STEP_SECONDS));
   twin.playing.value = false;
@@ -94,8 +94,8 @@ export async function recordTest(viewport: Viewport, job: PictureJob): Promise<U
 }
 
 /**
- * Waits for a frame that is later than `time`, which is negative before the first one; whether it has come and more can follow. None
- * comes where the step is left, or where the motion has begun anew. Throws where the motion has failed.
+ * Waits for a frame later than `time`, which is negative before the first one. Returns whether it has come and more can
+ * follow: none comes if the step is left, or if the motion has been restarted. Throws if the motion has failed.
  */
 function frameAfter(time: number, signal: AbortSignal): Promise<boolean> {
   let stop = (): void => {};

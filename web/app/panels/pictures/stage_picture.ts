@@ -20,7 +20,7 @@ const WIDTH_OF_4K = 3840;
 
 const stageCanvas = (): HTMLCanvasElement => document.querySelector<HTMLCanvasElement>('.viewport canvas')!;
 
-/** Large pictures have larger text and dots, so that they look the same. */
+/** Text and dots scale with the picture, so that it looks the same at any size. */
 export function sizeOf(name: SizeName): PictureSize {
   const { clientWidth, clientHeight } = stageCanvas();
   const { custom } = pictures;
@@ -33,13 +33,13 @@ export function sizeOf(name: SizeName): PictureSize {
 }
 
 export interface StageMoment {
-  /** radians that the eye is turned by; absent: 0 */
+  /** rotation of the eye in radians; absent: 0 */
   angle?: number;
-  /** that pass before the picture, for what plays by itself; absent: 0 */
+  /** that pass before the picture, for animations; absent: 0 */
   seconds?: number;
 }
 
-/** Draws the stage onto a canvas of the size of the picture. Throws where the graphics card cannot draw so large. */
+/** Draws the stage onto a canvas of the size of the picture. Throws if the graphics card cannot draw that size. */
 export function drawStage(
   viewport: Viewport,
   { width, height, scale }: PictureSize,

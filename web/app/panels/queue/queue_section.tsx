@@ -1,4 +1,4 @@
-/** The queue of models: what happens to all of them, how far it is, and what has become of each. */
+/** The queue of models: its settings, its progress, and the result of each model. */
 
 import { Spoken } from '../../controls/spoken';
 import { count, fileSize, percent } from '../../controls/numbers';
@@ -96,7 +96,7 @@ const STATE_WORDS: Record<QueueItem['state'], string> = {
   failed: 'failed',
 };
 
-/** Why a model has more faces than asked for. */
+/** Why a model has more faces than requested. */
 const STOP_WORDS: Record<string, string> = {
   deviation: 'stopped by the deviation limit',
   angle: 'stopped by the smallest angle',
@@ -135,7 +135,7 @@ const describeFinished = ({ faces, stop, deviation, bytes }: Finished): string =
     size: fileSize(bytes),
   });
 
-/** Saves all that is done, with a table of what has become of each model. */
+/** Saves all finished models, with a table of the results of each model. */
 async function saveQueue(items: readonly QueueItem[]): Promise<void> {
   const files = items.flatMap(({ finished }) => finished?.files ?? []);
   const content = Object.fromEntries(files.map(({ name, bytes }) => [name, bytes]));

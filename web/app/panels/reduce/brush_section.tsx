@@ -1,4 +1,4 @@
-/** Where triangles are kept or locked: painted in the viewport, or given as text. */
+/** The regions whose triangles are kept or locked: painted in the viewport, or given as text. */
 
 import { useId } from 'preact/hooks';
 import { LOCKED } from '../../../engine/settings/paint_text';

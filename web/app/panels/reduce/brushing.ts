@@ -1,4 +1,4 @@
-/** What the brush does in the viewport: it shows the stroke as it is painted, and a ring of its own size. */
+/** The brush in the viewport: shows the stroke while painting, and a ring of the brush's size. */
 
 import { isBrushing, results, shownMesh, view } from '../../state/store';
 import { keepStroke, levelsAfter, shownLevels } from '../../state/paint';
@@ -23,7 +23,7 @@ export function brushTool(viewport: Viewport): StrokeTool {
   };
 }
 
-/** Shows the paint on the Reduce step, the only one that it changes. */
+/** Shows the paint on the Reduce step, the only one that it affects. */
 export function showPaint(viewport: Viewport | null): void {
   const isShown = view.step.value === 'reduce';
   if (viewport) showLevels(viewport, isShown ? shownLevels.value : null);

@@ -32,7 +32,7 @@ export function labelsBesideChoice(): 'alone' | 'compared' | '' {
   return comparedPanes().length === 1 ? 'alone' : 'compared';
 }
 
-/** Switches between the two meshes in the same place. */
+/** Switches between the two meshes at the same position. */
 export function blink(): void {
   view.layout.value = view.layout.value === 'original' ? 'optimized' : 'original';
 }
@@ -72,7 +72,7 @@ export function Compare() {
   );
 }
 
-/** A real slider over the whole viewport, of which the thumb alone takes the pointer. */
+/** A native slider over the whole viewport; only its thumb receives pointer events. */
 function Divider() {
   const share = view.split.value;
   return (

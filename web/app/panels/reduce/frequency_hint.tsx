@@ -1,4 +1,4 @@
-/** Says which part vibrates most differently from the original, and offers what helps. */
+/** Names the part with the largest frequency error, and offers a remedy. */
 
 import { count, fixed } from '../../controls/numbers';
 import { changeSettings, keepFaces, results, shownFit, slider } from '../../state/store';
@@ -18,7 +18,7 @@ export function worstPart(errors: Float64Array): { part: number; error: number }
   return worst;
 }
 
-/** "part 3 of 7 (312 faces)"; '' for a body of one part. */
+/** "part 3 of 7 (312 faces)"; '' for a body with one part. */
 export function describePart(part: number, parts: number): string {
   if (parts < 2) return '';
   const faces = results.modes.value?.components[part]?.faces;

@@ -1,4 +1,4 @@
-/** Step 3: how the next edge is chosen, and what limits the collapses. */
+/** Step 3: the choice of the next edge, and the limits of the collapses. */
 
 import { METHODS } from '../../../engine/core/methods';
 import { methodChange, methodOf, OPTIONS, readsSetting } from '../../../engine/settings/options';

@@ -51,14 +51,14 @@ export function Scrubber() {
   );
 }
 
-/** The share of its faces that the shown mesh has; null until there is one, and where the slider is of several bodies. */
+/** The ratio of the shown mesh; null before it exists, and if the slider controls several bodies. */
 function shownShare(): number | null {
   const { value: body } = results.body;
   const { value: shown } = shownMesh;
   return body && shown && !isSharing.value ? faceCount(shown.mesh) / faceCount(body.mesh) : null;
 }
 
-/** Lets the shown body have a number of faces of its own. */
+/** Gives the shown body its own number of faces. */
 function OwnFaces() {
   return (
     <Toggle
@@ -82,12 +82,12 @@ function ExactFaces({ value, total, set }: { value: number; total: number; set(f
   );
 }
 
-/** Labels that are closer than this share of the slider would overlap; of a slider in a narrow window, `narrow`. */
+/** Labels closer than this share of the slider would overlap; `narrow`: in a narrow window. */
 const LABEL_WIDTH = { wide: 0.045, narrow: 0.1 };
-/** The first label has a word more. */
+/** The first label has an additional word. */
 const FIRST_LABEL = 1.6;
 
-/** `position` on the slider, 0..1; `share` of it that the label has to itself. */
+/** `position` on the slider, 0..1; `share`: the part of the slider that is free for the label. */
 function classOf(position: number, share: number): string {
   const crowded = share > LABEL_WIDTH.narrow ? '' : ' crowded';
   if (position < LABEL_WIDTH.narrow) return `tick at-start${crowded}`;

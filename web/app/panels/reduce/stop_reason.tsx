@@ -1,4 +1,4 @@
-/** Why a reduction has stopped before the wanted number of faces. */
+/** The reason why a reduction has stopped before the requested number of faces. */
 
 import { count, fixed } from '../../controls/numbers';
 import { describeRefused } from '../../../engine/report/stop_report';
@@ -10,7 +10,7 @@ import { say, sayCounted, sentence } from '../../language/say';
 
 export const ACROSS_SEAMS = 'Collapse across texture seams';
 
-/** Says why more faces are left than asked for, by the limit that has ended it first, and which request could not be met. */
+/** Explains why more faces remain than requested: the first limit that was reached, and the request that could not be met. */
 export function StopReason() {
   const history = results.history.value;
   if (!history) return null;
@@ -39,7 +39,7 @@ export function StopReason() {
   );
 }
 
-/** Why the history itself goes no farther. */
+/** The reason why the history itself ends. */
 function FloorReason({ history }: { history: HistorySummary }) {
   const reason = describeRefused(history.refused)
     .split(/, (?=\d)/)
@@ -62,7 +62,7 @@ function FloorReason({ history }: { history: HistorySummary }) {
   );
 }
 
-/** Does what a sentence names. */
+/** A button for the remedy that a sentence names. */
 function Cure({ text, change }: { text: string; change: Partial<Settings> }) {
   return (
     <div class="buttons">

@@ -1,4 +1,4 @@
-/** The card that says why a vertex of the optimized mesh has been kept. */
+/** The card that explains why a vertex of the optimized mesh has been kept. */
 
 import { untracked, useSignalEffect } from '@preact/signals';
 import { useId } from 'preact/hooks';
@@ -11,9 +11,9 @@ import './why_card.css';
 import { Spoken } from '../../controls/spoken';
 import { say, sentence } from '../../language/say';
 
-/** The largest distance between the pointer and the vertex that it hovers over. */
+/** The largest distance between the pointer and a hovered vertex. */
 const HOVER_PIXELS = 14;
-/** A pointer that moves less than this has clicked. */
+/** A press that moves less than this is a click. */
 const CLICK_PIXELS = 4;
 const CARD = { width: 264, height: 190, gap: 18 };
 
@@ -45,7 +45,7 @@ export function connectHover(canvas: HTMLCanvasElement, getViewport: () => Viewp
 
 const shownVertices = (): number => (shownMesh.value?.mesh.positions.length ?? 0) / 3;
 
-/** The vertex whose card is shown; null where the shown result has no such vertex. */
+/** The vertex whose card is shown; null if the shown result has no such vertex. */
 const hovered = (): number | null => {
   const vertex = view.hover.value?.vertex ?? null;
   return vertex !== null && isAsking() && vertex < shownVertices() ? vertex : null;
@@ -74,7 +74,7 @@ export function WhyCard({ getViewport }: { getViewport: () => Viewport | null })
   );
 }
 
-/** What is spoken once the pointer rests on a vertex; '' before its reasons are known. */
+/** The text for screen readers once the pointer rests on a vertex; '' before its reasons are known. */
 function spokenReason(vertex: number | null): string {
   const why = shownWhy.value;
   if (vertex === null || !why || vertex >= why.verdict.length) return '';
@@ -82,7 +82,7 @@ function spokenReason(vertex: number | null): string {
   return `${say('Vertex {number}', { number: count(vertex) })}. ${sentence(verdict)}`;
 }
 
-/** Puts the card beside the vertex, on the right side where it fits there. */
+/** Places the card next to the vertex, on the right side if it fits there. */
 function cardStyle({ x, y }: { x: number; y: number }) {
   const viewport = document.querySelector('.viewport')!;
   const isRight = x + CARD.gap + CARD.width < viewport.clientWidth;

@@ -1,4 +1,4 @@
-/** Whether the substeps are enough for what is being compared: measured on demand, told in one sentence. */
+/** Whether the substeps suffice for the comparison: measured on demand, reported in one sentence. */
 
 import { describeConvergence, substepsToTake } from '../../../engine/motion/convergence';
 import type { Convergence } from '../../../engine/motion/convergence';

@@ -1,9 +1,9 @@
-/** Which part of the motion the chart of the deviation shows. */
+/** The part of the motion that the deviation chart shows. */
 
 import type { TwinSample } from '../../../engine/motion/twin';
 import { roundUp } from './simulate_scale';
 
-/** The least and the most seconds that the chart shows. */
+/** The smallest and largest time range of the chart, in seconds. */
 const SHORTEST = 2;
 const LONGEST = 10;
 
@@ -31,7 +31,7 @@ export function axesOf(samples: TwinSample[]): Axes {
   return { start, span, high: roundUp(most) };
 }
 
-/** The noise floor where the curve that is drawn ends, %; null where none is drawn. */
+/** The noise floor at the end of the drawn curve, %; null if none is drawn. */
 export function drawnNoise(samples: TwinSample[]): number | null {
   const start = startOf(samples);
   return samples.findLast(({ time, noise }) => time >= start && noise !== null)?.noise ?? null;

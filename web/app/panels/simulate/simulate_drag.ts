@@ -1,4 +1,4 @@
-/** Lets the pointer pull at the moving bodies. */
+/** Lets the pointer drag the moving bodies. */
 
 import type { Ray, Vector3 } from 'three';
 import type { TriangleMesh } from '../../../engine/core/core';
@@ -27,7 +27,7 @@ interface ShownBody {
   positions: Float32Array;
 }
 
-/** The body that a pane shows: its right side may show the original as the optimized body carries it. */
+/** The body that a pane shows: the right side may show the original driven by the optimized body. */
 function bodyIn(pane: PaneName): ShownBody | null {
   const frame = twin.frame.value;
   const [body, result] = [results.body.value, shownMesh.value];

@@ -1,4 +1,4 @@
-/** What the colours of the moving bodies mean. */
+/** The legend of the moving bodies' colours. */
 
 import { isWireShown } from '../viewport/show_bodies';
 import { twin } from '../../state/twin';

@@ -1,4 +1,4 @@
-/** Step 4: what happens to both bodies, how finely it is simulated, and how they are shown. */
+/** Step 4: the scenario of both bodies, the accuracy of the simulation, and the display. */
 
 import { useId, useState } from 'preact/hooks';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
@@ -22,7 +22,7 @@ import { say } from '../../language/say';
 
 const SCENARIO_CHOICES = SCENARIOS.map(({ name, label }) => ({ value: name, text: label }));
 
-/** What happens, and which vertices the scenario pins for it. */
+/** The scenario, and the vertices that it pins. */
 function describeScenario(scenario: Settings['scenario']): string {
   const ends = scenarioEnds.value;
   if (!ends) return '';

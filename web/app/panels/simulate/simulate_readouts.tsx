@@ -10,7 +10,7 @@ import { describeSpeedUp, speedUp } from './speed_up';
 import type { StepTimes } from './speed_up';
 import { say } from '../../language/say';
 
-/** A pace below this is called slow motion. */
+/** A speed below this fraction of real time is called slow motion. */
 const REAL_TIME = 0.9;
 
 export function SimulateReadouts() {

@@ -10,7 +10,7 @@ export function roundUp(value: number): number {
   return Number((step * power).toPrecision(1));
 }
 
-/** Smaller deviations, in %, do not make the scale finer. */
+/** The lower limit of the scale, in %, however small the deviations. */
 const LEAST = 0.1;
 
 /** The deviation at the upper end of the colours, in %. */

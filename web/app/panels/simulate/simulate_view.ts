@@ -1,4 +1,4 @@
-/** Shows both moving bodies in the viewport: where they are, how they are coloured and what they can touch. */
+/** Shows both moving bodies in the viewport: their positions, their colours and everything that they can touch. */
 
 import { computed } from '@preact/signals';
 import type { CollisionScene } from '../../../engine/core/core';
@@ -15,7 +15,7 @@ import { heatScale } from './simulate_scale';
 
 export const isSimulating = (): boolean => view.step.value === 'test';
 
-/** Whether the right side shows the original as the optimized body carries it. */
+/** Whether the right side shows the original driven by the optimized body. */
 export const isDriven = computed(() => isSimulating() && twin.driven.value);
 export const isOverlaid = computed(
   () => isSimulating() && twin.layout.value === 'over' && shownMesh.value !== null,
@@ -41,10 +41,10 @@ export function showTwin(viewport: Viewport | null): void {
   viewport.followMotion([original.positions, optimized.positions]);
 }
 
-/** The last scene that the camera was turned to, as text. */
+/** The last scene on which the camera was framed, as text. */
 let fittedScene = '';
 
-/** Shows the floor and the colliders, and turns the camera so that they are in view. */
+/** Shows the floor and the colliders, and frames the camera so that they are in view. */
 export function showCollisionScene(viewport: Viewport | null): void {
   const body = results.body.value;
   const collisionScene = isSimulating() ? twin.collisionScene.value : null;

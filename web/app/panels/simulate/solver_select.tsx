@@ -1,4 +1,4 @@
-/** In which solver both bodies move, and whether the optimized one has what tuning found for it. */
+/** The solver in which both bodies move, and whether the optimized one is tuned. */
 
 import type { DefaultModel } from '../../../engine/motion/default_model';
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
@@ -47,7 +47,7 @@ const ownWords = (model: DefaultModel): [Material, Words][] => [
   ['springs', SPRINGS],
 ];
 
-/** Materials of the program stand before the solvers of engines, under names that no solver has. */
+/** The program's own materials are listed before the solvers of engines, under names that no solver has. */
 const ownValue = (material: Material): string => `own ${material}`;
 
 const optionsFor = (words: [Material, Words][]) => [
@@ -89,7 +89,7 @@ function choose(value: string): void {
   else changeSettings({ solver: value as SolverName, ...others });
 }
 
-/** Gives up the files for all four, which are tuned without a solver, and says so. */
+/** Discards the files for all four solvers, which need the settings without a solver, and says so. */
 function stopGeneric(): void {
   twin.wantsGeneric.value = false;
   const run = (): void => {
@@ -111,14 +111,14 @@ function titleOf(solver: SolverName): string {
   return say('Both bodies are {words}, solved here by XPBD.', { words: sentence(words) }) + known;
 }
 
-/** What speaks for the numbers that are used. */
+/** The evidence for the numbers that are used. */
 function Trial() {
   const motion = usedTuning.value?.tuned.motion;
   const text = motion ? describeTrial(motion) : '';
   return text === '' ? null : <p class="hint">{text}</p>;
 }
 
-/** What the engine needs, and the way to it. */
+/** What the engine needs, and how to get it. */
 function TakeAlong() {
   const { solver } = wants.settings.value;
   if (solver === 'none') return null;
@@ -141,7 +141,7 @@ const TUNINGS = [
   { value: 'tuned', text: 'Tuned', title: 'The masses and factors with which it moves like the original' },
 ] as const;
 
-/** Tuning takes a while, so it starts when it is asked for. */
+/** Tuning takes a while, so it only starts on request. */
 function Tuning() {
   const isWanted = twin.wantsTuned.value;
   return (

@@ -1,4 +1,4 @@
-/** How much faster a step of the optimized mesh is, and in words what limits that. */
+/** The speed-up of a step of the optimized mesh, and an explanation of what limits it. */
 
 import { figures } from '../../controls/numbers';
 import { say } from '../../language/say';
@@ -8,7 +8,7 @@ const MIN_GAIN = 1.1;
 /** s; a step that is shorter has so little to do that other work than that on faces shows. */
 const SHORT_STEP = 0.001;
 
-/** Of one step of each body; `haveLattice`: an inside of cells that are as coarse in both. */
+/** Of one step of each body; `haveLattice`: both have an inside of equally coarse cells. */
 export interface StepTimes {
   /** s */
   original: number;
@@ -20,7 +20,7 @@ export interface StepTimes {
 export const speedUp = ({ original, optimized }: StepTimes): string =>
   original > 0 && optimized > 0 ? `x${figures(original / optimized)}` : '...';
 
-/** What limits the speed-up; '' where nothing does. */
+/** The explanation of what limits the speed-up; '' if nothing does. */
 export function describeSpeedUp({ original, optimized, haveLattice }: StepTimes): string {
   const isSlow = optimized > 0 && original < MIN_GAIN * optimized;
   if (isSlow && haveLattice) return say('same inside');

@@ -1,4 +1,4 @@
-/** What a short trial of the motion has said for or against the tuned numbers. */
+/** The verdict of a short motion trial on the tuned numbers. */
 
 import type { TunedMotion } from '../../../engine/core/core';
 import { listed, say } from '../../language/say';
@@ -6,7 +6,7 @@ import { listed, say } from '../../language/say';
 /** By the scenes that are tried, see web/engine/core/interface/tune.ts. */
 const TRIED: Record<string, string> = { sway: 'how it sways', hang: 'how it hangs' };
 
-/** A sentence that names the motions that were tried, as the scenario that is shown may be another; '' where both were equally close. */
+/** A sentence that names the motions of the trial, because the shown scenario may be different; '' if both were equally close. */
 export function describeTrial({ scene, kept, tuned, untouched }: TunedMotion): string {
   const tried = listed(scene.split(' and ').map((name) => say(TRIED[name] ?? name)));
   if (kept === 'untouched')

@@ -1,4 +1,4 @@
-/** For whoever does not know where the result will move: what it is, what to choose in plain words, and settings for all. */
+/** For users who do not know where the result will move: a description, what to choose in plain words, and settings for all solvers. */
 
 import { useEffect } from 'preact/hooks';
 import { profileOf } from '../../../engine/solvers/profiles';
@@ -11,7 +11,7 @@ import { results, shownMesh } from '../../state/store';
 import { twin } from '../../state/twin';
 import './unknown_solver.css';
 
-/** What a program asks its user for, and where such programs are known. */
+/** The parameters that programs ask for, and examples of such programs. */
 const ASKED: readonly { value: GenericSolver; text: string }[] = [
   { value: 'shell', text: 'How stiff the material is and how thick, as for rubber or cloth' },
   { value: 'hinge-shell', text: 'How stiff its faces are, and how stiff it bends at its edges' },
@@ -52,7 +52,7 @@ export function UnknownSolver({ onChoose }: { onChoose(solver: GenericSolver): v
   );
 }
 
-/** Tuning takes a while, so it starts when it is asked for; what comes of it is saved at once. */
+/** Tuning takes a while, so it only starts on request; its result is saved at once. */
 function SaveForAll() {
   const { wantsGeneric } = twin;
   const { value: files } = results.genericFiles;

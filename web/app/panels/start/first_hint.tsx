@@ -1,4 +1,4 @@
-/** One hint for each step on a first visit; what has been dismissed does not come back. */
+/** One hint for each step on a first visit; a dismissed hint does not come back. */
 
 import { signal } from '@preact/signals';
 import { results, view } from '../../state/store';
@@ -15,7 +15,7 @@ const HINTS: Record<Step, string> = {
     'Drag the big slider “Kept faces”: faces leave first where motion does not show. Compare with V, blink with B.',
   test: 'Both meshes move under the same forces. Drag one to pull at it. Export is at the upper right.',
 };
-/** For fingers: there are no keys. */
+/** For touch screens, which have no keys. */
 const TOUCH_HINTS: Partial<Record<Step, string>> = {
   reduce:
     'Drag the big slider “Kept faces”: faces leave first where motion does not show. Blink shows the original and the result in turn.',
@@ -26,7 +26,7 @@ const STORE = 'limber-hints';
 /** The steps whose hints have been dismissed. */
 const dismissed = signal<ReadonlySet<string>>(read());
 
-/** A browser may refuse its store; then every visit is a first one. */
+/** A browser may refuse access to its storage; then every visit counts as the first one. */
 function read(): Set<string> {
   try {
     return new Set((localStorage.getItem(STORE) ?? '').split(' '));
@@ -44,7 +44,7 @@ function dismiss(...steps: Step[]): void {
   }
 }
 
-/** The panel takes the focus of the button that goes away. */
+/** The panel gets the focus of the button that disappears. */
 function leave(event: Event, ...steps: Step[]): void {
   (event.currentTarget as HTMLElement).closest('aside')?.focus({ preventScroll: true });
   dismiss(...steps);

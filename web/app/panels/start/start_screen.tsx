@@ -1,4 +1,4 @@
-/** The page before a file is open: what it is for, an area to drop a file, and the samples. */
+/** The page before a file is open: its purpose, an area to drop a file, and the samples. */
 
 import { LanguageChoice } from '../../controls/language_choice';
 import { useEffect, useRef } from 'preact/hooks';
@@ -37,7 +37,7 @@ export function StartScreen() {
   );
 }
 
-/** Gives the focus to the current step where what had it goes away with this screen; returns what notes that something has it. */
+/** Focuses the current step if the focused element disappears with this screen; returns the handler that records that an element has the focus. */
 function useHandover(): () => void {
   const hadFocus = useRef(false);
   useEffect(() => () => void (hadFocus.current && requestAnimationFrame(focusStep)), []);
@@ -45,7 +45,7 @@ function useHandover(): () => void {
 }
 
 function focusStep(): void {
-  // Whoever has gone on elsewhere stays there.
+  // If the focus has moved elsewhere meanwhile, it stays there.
   if (document.activeElement !== document.body) return;
   document.querySelector<HTMLElement>('.steps [aria-current]')?.focus({ preventScroll: true });
 }

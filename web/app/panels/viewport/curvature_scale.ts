@@ -13,8 +13,8 @@ export function curvatureScale(curvature: Float32Array): number {
 }
 
 /**
- * The value at a rank of the ascending order, found by partitions (Hoare 1961), as sorting a million values would block the page;
- * 0 without values.
+ * The value at a rank of the ascending order, found by partitions (Hoare 1961), because sorting a million values would
+ * block the page; 0 without values.
  */
 export function ranked(values: Float32Array, rank: number): number {
   const parts = values.slice();

@@ -1,4 +1,4 @@
-/** How the mesh is drawn, and what its colours mean. */
+/** How the mesh is drawn, and the legend of its colours. */
 
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
@@ -61,7 +61,7 @@ function ViewMenu() {
       menu.current!.open = false;
       menu.current!.querySelector('summary')!.focus();
     };
-    // Ahead of the tools of the canvas, which keep what they take to themselves.
+    // Runs before the tools of the canvas, which stop the events that they handle.
     document.addEventListener('pointerdown', close, { capture: true });
     document.addEventListener('keydown', escape, { capture: true });
     return () => {
@@ -114,7 +114,7 @@ function Toggles() {
   );
 }
 
-/** The looks that the file has something for. */
+/** The looks for which the file has data. */
 function LookSelect() {
   const { contents } = results.file.value!;
   return (

@@ -31,7 +31,7 @@ const WIRE_STRENGTH = { plain: 0.55, field: 0.42, file: 0.35 };
 /** Edges of a mesh with more faces cannot be told apart in the picture of a whole mesh. */
 const MAX_FACES_WITH_EDGES = 12_000;
 
-/** Whether edges are drawn: as the user says, otherwise where they can be read and no material is shown. */
+/** Whether edges are drawn: as the user has chosen, otherwise if they can be distinguished and no material is shown. */
 export const isWireShown = (): boolean =>
   view.wire.value ??
   (!isFileDrawn.value && (results.body.value?.inspection.faces ?? 0) <= MAX_FACES_WITH_EDGES);
@@ -50,7 +50,7 @@ export function showOriginal(viewport: Viewport | null): void {
   if (mesh) viewport?.fit(false);
 }
 
-/** The numbers of the file's meshes that are drawn; null: all of them. */
+/** The indices of the file's meshes that are drawn; null: all of them. */
 const drawnMeshes = computed((): ReadonlySet<number> | null => {
   const bodies = results.file.value?.bodies ?? [];
   const isShown = (i: number) =>
@@ -59,25 +59,25 @@ const drawnMeshes = computed((): ReadonlySet<number> | null => {
   return shown.length === bodies.length ? null : new Set(shown.map(({ mesh }) => mesh));
 });
 
-/** Faces of all bodies of the scene, as many as the slider counts, also until they are drawn; null where a pane is of one body. */
+/** Faces of all bodies of the scene, as counted by the slider, even before they are drawn; null if a pane shows one body. */
 export function sceneFaces(name: PaneName): number | null {
   const bodies = results.file.value?.bodies ?? [];
   const isScene = isFileDrawn.value && view.isWhole.value && bodies.length > 1;
   if (!isScene || !results.originalFile.value) return null;
   const after = shownResultFile.value?.faces ?? results.shares.value?.expected;
   if (name === 'optimized' && !after) return wants.faces.value ?? halfOf(bodies);
-  // A body that cannot be used stays as it is.
+  // A body that cannot be used is not changed.
   const facesOf = bodies.map(({ faces, health }, i) =>
     name === 'original' || health === null ? faces : after![i],
   );
   return sum(facesOf.filter((_, i) => !view.hidden.value.has(i)));
 }
 
-/** As many faces as a scene keeps where no number is asked for. */
+/** The faces that a scene keeps without a requested number. */
 const halfOf = (bodies: readonly { faces: number }[]): number =>
   Math.floor(sum(bodies.map(({ faces }) => faces)) / 2);
 
-/** Draws the original and the result with the materials of their files, where nothing else is asked for. */
+/** Draws the original and the result with the materials of their files, unless something else is chosen. */
 export function showFiles(viewport: Viewport | null): void {
   const [original, result] = [results.originalFile.value, shownResultFile.value];
   const { clay, wire } = viewportColours.value;
@@ -105,7 +105,7 @@ export function showFiles(viewport: Viewport | null): void {
 
 let wasWhole = false;
 
-/** Turns the camera to what is shown where the whole scene takes the place of one body of it, or the other way round. */
+/** Frames the camera when the whole scene replaces one of its bodies, or the other way round. */
 function lookAgain(viewport: Viewport, isWhole: boolean): void {
   if (isWhole === wasWhole) return;
   wasWhole = isWhole;
@@ -138,14 +138,14 @@ interface BodyFields {
   optimized: Field | null;
 }
 
-/** values[numbers[i]]; a loop, as a call for each of a million takes longer than a frame. */
+/** values[numbers[i]]; a loop, because a million function calls would take longer than a frame. */
 function gather(values: Float32Array, numbers: Uint32Array): Float32Array {
   const out = new Float32Array(numbers.length);
   for (let i = 0; i < numbers.length; i++) out[i] = values[numbers[i]];
   return out;
 }
 
-/** The chosen field of the original, and the same field on the triangles and vertices that are left of it. */
+/** The chosen field of the original, and the same field on its remaining triangles and vertices. */
 function shownFields(mesh: MeshAt | null): BodyFields {
   const rank = results.guidance.value?.rank;
   const curvature = shownField.value === 'curvature' ? scaledCurvature.value : null;
@@ -184,7 +184,7 @@ const blendedShape = computed((): Float32Array | null => {
   const body = results.body.value;
   if (!modes || !body) return null;
   const size = body.mesh.positions.length;
-  // Modes of a mesh that was welded in another way stay until new ones are found.
+  // Modes of a mesh that was welded differently are kept until new ones are found.
   if (modes.shapes.length !== modes.modesPerComponent * size) return null;
   const chosen = guidingModes().filter((mode) => mode <= modes.modesPerComponent);
   const shape = new Float32Array(size);

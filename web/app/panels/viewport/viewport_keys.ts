@@ -6,11 +6,11 @@ import type { Viewport } from '../../viewer/viewport';
 
 /** Radians per press. */
 const ROTATION = Math.PI / 24;
-/** The share of the distance to the body per press. */
+/** The fraction of the distance to the body per press. */
 const STEP = 0.1;
 const ZOOM = 1.15;
 
-/** Arrows turn, with Shift they move; + and - zoom. Enter picks or paints what is in the middle, with Shift it takes away. */
+/** Arrows rotate, with Shift they move; + and - zoom. Enter picks or paints at the centre, with Shift it removes. */
 export function connectViewportKeys(canvas: HTMLCanvasElement, viewport: Viewport, tool: PickTool): void {
   const { orbit } = viewport;
   const moves: Record<string, () => void> = {
@@ -46,7 +46,7 @@ export function connectViewportKeys(canvas: HTMLCanvasElement, viewport: Viewpor
   canvas.addEventListener('focus', preview);
 }
 
-/** The middle of the picture, of two the left one. */
+/** The centre of the picture, of the left one if there are two. */
 function middle(canvas: HTMLCanvasElement, viewport: Viewport): { clientX: number; clientY: number } {
   const { left, top, width, height } = canvas.getBoundingClientRect();
   const at = (share: number): number => left + share * width;

@@ -1,4 +1,4 @@
-/** The viewport in the page, with what lies over it: labels, legend, cards and alerts. */
+/** The viewport in the page, with its overlays: labels, legend, cards and alerts. */
 
 import { effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -32,7 +32,7 @@ export const viewportHandle: { current: Viewport | null } = { current: null };
 
 const getViewport = (): Viewport | null => viewportHandle.current;
 
-/** Each follows the signals that it reads; the order is that of the first drawing. */
+/** Each effect depends on the signals that it reads; the order is that of the first drawing. */
 const SHOWS = [
   showOriginal,
   showOptimized,
@@ -48,7 +48,7 @@ const SHOWS = [
   showTwin,
 ] as const;
 
-/** Throws where WebGL2 is missing. */
+/** Throws if WebGL2 is missing. */
 function openViewport(canvas: HTMLCanvasElement): void {
   const viewport = (viewportHandle.current = new Viewport(canvas));
   const picking = connectPicking(canvas, viewport);
@@ -62,13 +62,13 @@ function openViewport(canvas: HTMLCanvasElement): void {
   warmUpLater(viewport);
 }
 
-/** ms after which idle time is not waited for any longer */
+/** ms: the longest wait for idle time */
 const LATEST_WARM_UP = 400;
 
-/** Once the start screen has been painted and the page has nothing to do: without a file to open there is time. */
+/** Runs once the start screen has been painted and the page is idle: without a file to open there is time. */
 function warmUpLater(viewport: Viewport): void {
   const begin = (): void => {
-    // What cannot be prepared is prepared when it is drawn.
+    // If the preparation fails, it happens at the first drawing.
     if (!results.file.value) void viewport.warmUp().catch(() => undefined);
   };
   if (!('requestIdleCallback' in globalThis)) return;
