@@ -1,4 +1,4 @@
-/** The page's side of the worker: calls, progress and cancel, and a fresh worker where one has ended by itself. */
+/** The page's side of the worker: calls, progress and cancellation, and a new worker after a crash. */
 
 import { proxy, transfer, wrap } from 'comlink';
 import type { Remote } from 'comlink';
@@ -13,19 +13,19 @@ import { coreFolder } from '../worker/core_folder';
 
 carrySettingErrors();
 
-/** ms after which a worker that does not answer a cancel is ended. */
+/** ms after which a worker that does not respond to a cancellation is ended. */
 const PATIENCE = 10_000;
 
-/** Bytes that the core may take, of `?memory=` in the address; undefined: as many as it can. Throws an Error. */
+/** The memory limit of the core in bytes, from `?memory=` in the address; undefined: no limit. Throws an Error. */
 function memoryAsked(): number | undefined {
   const text = new URLSearchParams(location.search).get('memory');
   return text === null ? undefined : coreMemory(text, '?memory=');
 }
 
-/** A call ended because its worker did. */
+/** A call failed because its worker has ended. */
 export class WorkerLost extends Error {}
 
-/** One worker, and the promise that rejects when it ends by itself. */
+/** One worker, and the promise that rejects when it ends unexpectedly. */
 interface Running {
   worker: Worker;
   remote: Remote<WorkerApi>;
@@ -44,8 +44,8 @@ export class Client {
   threads = 1;
 
   /**
-   * `base`: the address of the page's folder, with a final slash. `onLost`: a worker has ended while nothing ran.
-   * `listen`, if any, is given the port at which the histories of each worker arrive.
+   * `base`: the address of the page's folder, with a final slash. `onLost`: called when a worker has ended while
+   * nothing ran. `listen`, if given, receives the port at which the histories of each worker arrive.
    */
   constructor(
     private readonly base: string,
@@ -56,7 +56,7 @@ export class Client {
     this.started.catch(() => {});
   }
 
-  /** Starts a worker, which opens the files that were open before. What ends it before that is not tried again. */
+  /** Starts a worker, which reopens the open files. If it ends before that, there is no further attempt. */
   private async startWorker(): Promise<Started> {
     let isStarted = false;
     const onError = (why: string) => (isStarted ? this.lose(current, why) : current.end(new WorkerLost(why)));
@@ -82,7 +82,7 @@ export class Client {
     return started;
   }
 
-  /** The worker has ended by itself: a fresh one opens the same files, and the running call fails. */
+  /** The worker has ended unexpectedly: a new one opens the same files, and the running call fails. */
   private lose(lost: Running, why: string): void {
     if (lost !== this.current || this.hasEnded) return;
     const wasIdle = this.abandon === null;
@@ -95,7 +95,7 @@ export class Client {
     ended.worker.terminate();
     this.job = null;
     this.started = this.startWorker();
-    // A failed start is told to whoever calls next.
+    // A failed start is reported by the next call.
     this.started.catch(() => {});
     ended.end(error);
   }
@@ -104,29 +104,29 @@ export class Client {
     return this.started;
   }
 
-  /** Spends time in which nothing is asked on compiling the engine; see warm_up.ts. */
+  /** Uses idle time to compile the engine; see warm_up.ts. */
   async warmUp(): Promise<void> {
     await this.started;
     const { current } = this;
     await Promise.race([current.remote.warmUp(), current.ended]);
   }
 
-  /** Opens files; where that fails, the earlier file stays open. The bytes are kept for a worker that must start again. */
+  /** Opens files; if that fails, the earlier file stays open. The bytes are kept for a worker that must be restarted. */
   async open(files: SourceFile[]): Promise<OpenedFile> {
-    // Stops what the engine computes to warm up; calls clear the flag as they start.
+    // Stops the warm-up of the engine; calls clear the flag as they start.
     if (this.job) Atomics.store(this.job, 0, 1);
     const opened = await this.call<OpenedFile>((remote) => remote.open(files));
     this.files = files;
     return opened;
   }
 
-  /** One call of the worker, which ends early with CANCELLED when `cancel` is called meanwhile. */
+  /** Calls the worker; ends early with CANCELLED if `cancel` is called meanwhile. */
   call<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
     this.lastProgress = null;
-    // What the last call told does not stand for this one.
+    // The progress of the last call does not apply to this one.
     if (this.job) Atomics.store(this.job, 1, PHASES.indexOf('idle'));
     return new Promise<T>((resolve, reject) => {
-      // From here on it can be cancelled, also while a fresh worker is still starting.
+      // From here on it can be cancelled, even while a new worker is still starting.
       this.abandon = reject;
       this.aside<T>(make).then(resolve, reject);
     }).finally(() => (this.abandon = null));
@@ -135,7 +135,7 @@ export class Client {
   /** A short call that waits until the running one has ended, without stopping it. */
   async aside<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
     const { started } = this;
-    // Of several calls that wait, the first one tries again for all.
+    // Of several waiting calls, the first one retries for all.
     await started.catch(() => (started === this.started ? this.retry() : this.started));
     const { current } = this;
     try {
@@ -148,7 +148,7 @@ export class Client {
     }
   }
 
-  /** Another try to start, where the last one has failed. Throws where the worker was ended for good. */
+  /** Another attempt to start if the last one has failed. Throws if the worker was ended for good. */
   private retry(): Promise<Started> {
     if (this.hasEnded) throw new Error(CANCELLED);
     this.current.worker.terminate();
@@ -157,7 +157,7 @@ export class Client {
 
   /** Progress of the running call, read from shared memory or from the last message of the worker. */
   progress(): CallProgress | null {
-    // Until the worker has told something, what is in shared memory may be of one body of many.
+    // Until the worker has reported something, the values in shared memory may belong to one body of many.
     if (!this.job || !this.lastProgress) return this.lastProgress;
     const [phase, fraction] = [Atomics.load(this.job, 1), Atomics.load(this.job, 2) / 10000];
     return { phase: PHASES[phase], fraction, share: this.lastProgress.share };
@@ -168,14 +168,14 @@ export class Client {
     return this.job !== null;
   }
 
-  /** Stops the running call: by a flag in shared memory, or by a fresh worker that opens the same files again. */
+  /** Stops the running call: by a flag in shared memory, or by replacing the worker with a new one that opens the same files again. */
   cancel(): void {
     if (!this.abandon) return;
     if (this.job) return this.requestCancel(this.job);
     this.forceCancel();
   }
 
-  /** Stops the running call, which may not answer, by a fresh worker that opens the same files again. */
+  /** Stops the running call, which may not respond, by replacing the worker with a new one that opens the same files again. */
   forceCancel(): void {
     const { abandon } = this;
     if (!abandon) return;
@@ -209,9 +209,9 @@ function openWorker(onError: (why: string) => void): Running {
   const worker = new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' });
   let end: (error: Error) => void = () => {};
   const ended = new Promise<never>((_, reject) => (end = reject));
-  // Most workers are ended while no call waits.
+  // Most workers end while no call waits.
   ended.catch(() => {});
-  // A script that cannot be loaded gives an event without a message.
+  // A script that cannot be loaded causes an event without a message.
   worker.addEventListener('error', ({ message }) => onError(message ?? 'Failed to fetch its script'));
   return { worker, remote: wrap<WorkerApi>(worker), ended, end };
 }

@@ -21,7 +21,7 @@ const checked = signal<Checked | null>(null);
 const checkingKey = signal<string | null>(null);
 let worker: Worker | null = null;
 
-/** What is known of the simulation as it is asked for now; null: it has not been checked. */
+/** The result for the current simulation; null: it has not been checked. */
 export const convergenceCheck = computed(() =>
   checked.value?.key === simulationKey.value ? checked.value : null,
 );

@@ -1,4 +1,4 @@
-/** Which files the stage can draw with their materials. */
+/** The files that the stage can draw with their materials. */
 
 import { computed } from '@preact/signals';
 import { resultFileKey } from '../worker/protocol';
@@ -12,7 +12,7 @@ export const canDrawFile = (): boolean =>
 
 export const resultFileNow = (): string => resultFileKey(wants.settings.value, keptFaces.value);
 
-/** The file of the shown result; null while it is still to be made. */
+/** The file of the shown result; null until it has been made. */
 export const shownResultFile = computed(() => {
   const { value: made } = results.resultFile;
   return made?.key === resultFileNow() ? made : null;

@@ -1,4 +1,4 @@
-/** Where original and result are at the end of the scenario: moved in a worker of their own, without being shown. */
+/** The poses of original and result at the end of the scenario: simulated in a worker of their own, without being shown. */
 
 import { proxy, wrap } from 'comlink';
 import { STEP_SECONDS } from '../../engine/motion/simulation';
@@ -10,12 +10,12 @@ import { shownMesh, wants } from './store';
 import { say } from '../language/say';
 
 interface PoseRequest {
-  /** told the share of the steps that are done, 0..1 */
+  /** called with the completed share of the steps, 0..1 */
   onProgress(share: number): void;
   signal: AbortSignal;
 }
 
-/** Null where it was cancelled. Throws an Error with one sentence where the bodies cannot be simulated. */
+/** Null if it was cancelled. Throws an Error with one sentence if the bodies cannot be simulated. */
 export async function endPose({ onProgress, signal }: PoseRequest): Promise<TwinFrame | null> {
   const steps = Math.max(1, Math.round(wants.settings.value.seconds / STEP_SECONDS));
   const setup = twinSetup(shownMesh.value!);

@@ -1,4 +1,4 @@
-/** What the ends of the shown body are called, as its scene shows it. */
+/** The names of the ends of the shown body, as oriented in its scene. */
 
 import { computed } from '@preact/signals';
 import { boundsOf, longestAxis } from '../../engine/core/mesh';
@@ -12,12 +12,12 @@ const shown = computed(() => {
   return nodeMatrix && body.value ? { nodeMatrix, positions: body.value.mesh.positions } : null;
 });
 
-/** Of the longest side of the mesh, at whose ends it can be pinned; null without a body. */
+/** The ends of the mesh's longest side, where it can be pinned; null without a body. */
 export const pinEnds = computed<EndNames | null>(
   () => shown.value && endNames(shown.value.nodeMatrix, longestAxis(boundsOf(shown.value.positions))),
 );
 
-/** Of the longest side of the body as it stands, along which scenarios act, as subjects; null without a body. */
+/** The ends of the longest side of the body in its scene, along which scenarios act, as subjects of sentences; null without a body. */
 export const scenarioEnds = computed<EndNames | null>(() => {
   if (!shown.value) return null;
   const { nodeMatrix, positions } = shown.value;

@@ -1,4 +1,4 @@
-/** What is asked of the export, and keys for what comes of it. */
+/** The request for an export, and keys for its results. */
 
 import { computed } from '@preact/signals';
 import { drawnLevelsKey, exportedFilesKey, exportKey } from '../worker/protocol';
@@ -15,7 +15,7 @@ export const baseName = (name: string): string =>
     .pop()!
     .replace(/\.[^.]+$/, '');
 
-/** "bar-figure.png" for bar.glb: as the export names its files. */
+/** "bar-figure.png" for bar.glb: follows the file names of the export. */
 export const pictureName = (ending: string): string => `${openName()}-${ending}`;
 
 const openName = (): string => baseName(results.file.value?.name ?? '');
@@ -34,14 +34,14 @@ export const genericKey = (): string =>
 
 export const levelsKey = (): string => drawnLevelsKey(wants.settings.value, keptFaces.value);
 
-/** Bytes of the file that the export saves; null while they are not known. */
+/** Bytes of the file that the export saves; null while unknown. */
 export const sizeAfter = computed((): number | null => {
   const { value: exported } = results.exported;
   if (exported?.key === exportedKey()) return exported.bytes.length;
   return isWrittenAsDrawn() ? (shownResultFile.value?.bytes.length ?? null) : null;
 });
 
-/** Whether the export writes what the page draws: a plain GLB of the result alone. */
+/** Whether the export is what the page draws: a plain GLB of only the result. */
 function isWrittenAsDrawn(): boolean {
   const { value: settings } = wants.settings;
   const { compress, lods, lodStyle, solver } = settings;

@@ -1,4 +1,4 @@
-/** The task that finds the vertices that the text of the pins names. */
+/** The task that finds the vertices named by the text of the pins. */
 
 import { batch } from '@preact/signals';
 import { CANCELLED } from '../worker/protocol';
@@ -10,8 +10,9 @@ import { changeSettings, results, status, wants } from './store';
 import { withoutUndo } from './undo';
 
 /**
- * Pins that the body does not have are refused with a sentence, and the earlier ones stay. Where there are no earlier ones of this
- * body, the text stays too, as it may be of another body of the file. Throws an Error of CANCELLED where the text has changed meanwhile.
+ * Pins that the body does not have are refused with a sentence, and the earlier ones stay. If this body has no earlier
+ * pins, the text stays too, because it may belong to another body of the file. Throws an Error with CANCELLED if the
+ * text has changed meanwhile.
  */
 export async function findPins(client: Client, body: number): Promise<unknown> {
   const settings = wants.settings.value;
@@ -19,7 +20,7 @@ export async function findPins(client: Client, body: number): Promise<unknown> {
   const isOutdated = (): boolean => wants.settings.value.pins !== text;
   try {
     const pins = await client.call<PinsResult>((worker) => worker.pins(body, settings));
-    // What is shown is of a later stroke.
+    // The shown pins belong to a later stroke.
     if (isOutdated()) throw new Error(CANCELLED);
     if (status.refusedPins.value?.text === text) status.refusedPins.value = null;
     return pins;
@@ -36,6 +37,6 @@ export async function findPins(client: Client, body: number): Promise<unknown> {
   }
 }
 
-/** Whether an error is of the text, and not of the worker. */
+/** Whether an error comes from the text, and not from the worker. */
 const isRefusal = (error: unknown): boolean =>
   error instanceof Error && error.message !== CANCELLED && !(error instanceof WorkerLost);

@@ -1,4 +1,4 @@
-/** Chosen modes stay the motions that they were when pins change, as their numbers then stand for others. */
+/** Keeps the chosen modes the same motions when pins change, because their numbers then refer to other modes. */
 
 import { effect, untracked } from '@preact/signals';
 import { leadingMode } from '../../engine/core/mode_set';
@@ -8,7 +8,7 @@ import { areModesStale, changeSettings, results, status, wants } from './store';
 import { withoutUndo } from './undo';
 import { listed, say } from '../language/say';
 
-/** The modes that the chosen numbers are of, and how they were pinned; null: those that come next. */
+/** The modes to which the chosen numbers refer, and their pins; null: the modes that arrive next. */
 let basis: { modes: ModesResult; pins: string } | null = null;
 let chosen: unknown = null;
 
@@ -18,7 +18,7 @@ export function followModes(): void {
     const { modes } = wants.settings.value;
     if (modes === chosen) return;
     chosen = modes;
-    // Numbers that come together with other pins, by undo or a link, are of the modes that these pins lead to.
+    // Numbers that arrive together with other pins, by undo or a link, refer to the modes with those pins.
     const known = untracked(() => (areModesStale.value ? null : results.modes.value));
     basis = known && { modes: known, pins: wants.settings.peek().pins };
   });

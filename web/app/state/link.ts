@@ -1,4 +1,4 @@
-/** What the user wants as the text of a link, and back: values that differ from the defaults, by the names of their flags. */
+/** Converts the user's settings to the text of a link, and back: values that differ from the defaults, by the names of their flags. */
 
 import { signal } from '@preact/signals';
 import {
@@ -21,7 +21,7 @@ export interface Wanted {
   faces: number | null;
   own: OwnFaces;
   body: number;
-  /** name of the file that it is for; null: any */
+  /** name of its file; null: any */
   file: string | null;
 }
 
@@ -50,7 +50,7 @@ export function writeLink({ settings, faces, own, body, file }: Wanted): string 
   return words.toString();
 }
 
-/** What is to be said of words of earlier versions in a link; '' for nothing. */
+/** The notice on keywords of earlier versions in a link; '' for none. */
 export function describeFormerLink(text: string): string {
   const words = new URLSearchParams(text.replace(/^#/, ''));
   const notes = describeRenamedChoices(SETTING_NAMES, (flag) => words.get(flag));
@@ -91,7 +91,7 @@ function ownOf(words: URLSearchParams): OwnFaces {
   );
 }
 
-/** Why `readLink` refuses a link, in the words that it uses for settings. */
+/** The reason why `readLink` refuses a link, with its names for settings. */
 export function describeLinkError(error: unknown): string {
   const wordOf = (setting: SettingName) => OPTIONS[setting].flag;
   if (error instanceof SettingError)

@@ -1,4 +1,4 @@
-/** Sets the text of the locked vertices, or says why not. */
+/** Sets the text of the locked vertices, or explains why it is refused. */
 
 import { batch, signal } from '@preact/signals';
 import { checkSetting } from '../../engine/settings/options';
@@ -6,10 +6,10 @@ import { refusalOf } from './refusal';
 import type { Refusal } from './refusal';
 import { changeSettings } from './store';
 
-/** The last text, where it was refused. */
+/** The last text, if it was refused. */
 export const refusedLock = signal<Refusal | null>(null);
 
-/** A text that has not the form of pins is refused with a sentence, and the locks before it stay. */
+/** A text that does not have the form of pins is refused with a sentence, and the earlier locks are kept. */
 export function setLock(text: string): void {
   const lock = text.replaceAll(/\s*([+:,])\s*/g, '$1').trim();
   batch(() => {

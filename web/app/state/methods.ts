@@ -1,4 +1,4 @@
-/** Methods at an equal budget: what is asked for, and the results that are there. */
+/** Methods at an equal budget: the request, and the results so far. */
 
 import { computed, signal } from '@preact/signals';
 import { MATERIAL_SETTINGS } from '../../engine/body/material';
@@ -24,9 +24,9 @@ export const comparison = {
   compared: signal<ComparedMethods | null>(null),
 };
 
-/** What each method's result and its measures follow from, see resultAtBudget. */
+/** The inputs of each method's result and its measures, see resultAtBudget. */
 const FOLLOWED: readonly string[] = [...STAGES.fitted.reads, ...MATERIAL_SETTINGS];
-/** Settings that lead to another comparison; what is exported or simulated plays no part. */
+/** Settings that affect the comparison; those of export and simulation do not. */
 const READ = SETTING_NAMES.filter((name) => FOLLOWED.includes(name));
 
 /** Text that is equal for equal comparisons of the shown body. */
@@ -48,21 +48,21 @@ export const comparisonTaskKey = (): string | null =>
     ? comparisonKey()
     : null;
 
-/** What belongs to the settings as they are now. */
+/** The comparison for the current settings. */
 export const shownComparison = computed(() =>
   comparison.compared.value?.key === comparisonKey() ? comparison.compared.value : null,
 );
 
 /**
- * Runs the methods that are still missing, one after the other, and shows each as soon as it is there. Throws an Error of CANCELLED
- * where the inputs change meanwhile.
+ * Runs the methods that are still missing, one after the other, and shows each as soon as it is ready. Throws an Error
+ * with CANCELLED if the inputs change meanwhile.
  */
 export async function compareMethods(client: Client): Promise<ComparedMethods> {
   const key = comparisonKey();
   const [body, settings, faces] = [wants.body.value, wants.settings.value, wantedFaces.value];
   let compared: ComparedMethods = shownComparison.value ?? { key, faces, results: [] };
   for (const name of COMPARED_METHODS.slice(compared.results.length)) {
-    // A cancel comes too late for a method that has just been measured.
+    // A cancellation comes too late for a method that has just been measured.
     if (comparisonKey() !== key) throw new Error(CANCELLED);
     const result = await client.call<MethodResult>((worker) =>
       worker.methodAtBudget(body, settings, { name, faces }),

@@ -7,15 +7,15 @@ import { say } from '../language/say';
 
 const RELOADED_KEY = 'limber-reloaded';
 
-/** Whether everything is kept, so that the page works without a network. */
+/** Whether everything is cached, so that the page works offline. */
 export const isOfflineReady = signal(false);
-/** Whether a reload gives the page the shared memory that it lacks now. */
+/** Whether a reload would give the page the shared memory that it lacks now. */
 export const isReloadFaster = signal(false);
 
-/** Reloads the page; the session is saved and comes back. */
+/** Reloads the page; the session is saved and restored. */
 export const reloadPage = (): void => location.reload();
 
-/** Starts to keep the page. In development, and where the browser has no service workers, nothing happens. */
+/** Starts to cache the page. Does nothing in development and in browsers without service workers. */
 export async function keepOffline(): Promise<void> {
   if (!import.meta.env.PROD || !navigator.serviceWorker) return;
   try {
@@ -26,11 +26,11 @@ export async function keepOffline(): Promise<void> {
     isOfflineReady.value = true;
     if (!crossOriginIsolated) seekIsolation();
   } catch {
-    // The page goes on without: a host or a private window may refuse service workers.
+    // The page works without it: a host or a private window may refuse service workers.
   }
 }
 
-/** The service worker adds the missing headers at the next load: at once where nothing is open, and only once. */
+/** The service worker adds the missing headers at the next load: the page reloads at once if nothing is open, and only once. */
 function seekIsolation(): void {
   if (sessionStorage.getItem(RELOADED_KEY)) return;
   sessionStorage.setItem(RELOADED_KEY, '1');
@@ -39,7 +39,7 @@ function seekIsolation(): void {
   else isReloadFaster.value = true;
 }
 
-/** Tells of a new version; `run` shows it. */
+/** Announces a new version; `run` loads it. */
 function tellVersion(run: () => void): void {
   status.notice.value = {
     kind: 'info',
@@ -61,7 +61,7 @@ function followUpdates(registration: ServiceWorkerRegistration): void {
   });
 }
 
-/** Another tab may bring the new version: the files that this page still loads are then of another one than itself. */
+/** Another tab may activate the new version: the files that this page still loads then belong to another version than the page. */
 function followTakeOvers(): void {
   const { serviceWorker } = navigator;
   let isControlled = serviceWorker.controller !== null;
@@ -72,7 +72,7 @@ function followTakeOvers(): void {
 }
 
 function takeOver(waiting: ServiceWorker): void {
-  // Where another tab has brought it, nothing is left to wait for.
+  // If another tab has activated it, there is nothing left to wait for.
   if (waiting.state !== 'installed') return reloadPage();
   navigator.serviceWorker.addEventListener('controllerchange', reloadPage, { once: true });
   waiting.postMessage('take over');
@@ -81,6 +81,6 @@ function takeOver(waiting: ServiceWorker): void {
 const MISSING =
   /dynamically imported module|importing a module script|Failed to fetch|NetworkError|Load failed/i;
 
-/** Whether an error says that a file of the page could not be loaded: the network is lost, or the host has a new version. */
+/** Whether an error means that a file of the page could not be loaded: the network is down, or the host has a new version. */
 export const isMissingFile = (error: unknown): boolean =>
   error instanceof Error && MISSING.test(error.message);

@@ -9,13 +9,13 @@ export const ownFacesText = (own: OwnFaces): string =>
     .map(([body, faces]) => `${body}:${faces}`)
     .join(',');
 
-/** Null where the text is not of this form. */
+/** Null if the text does not have this form. */
 export function readOwnFaces(text: string): OwnFaces | null {
   if (!/^\d{1,9}:\d{1,9}(,\d{1,9}:\d{1,9})*$/.test(text)) return null;
   return new Map(text.split(',').map((pair) => pair.split(':').map(Number) as [number, number]));
 }
 
-/** What of `own` fits the bodies of a file; none where nothing is asked. */
+/** The entries of `own` that fit the bodies of a file; none if nothing is requested. */
 export const fittingOwnFaces = (own: OwnFaces | undefined, bodies: { faces: number }[]): OwnFaces =>
   new Map(
     [...(own ?? [])]

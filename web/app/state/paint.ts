@@ -8,11 +8,11 @@ import type { Levels } from '../../engine/settings/paint_text';
 import type { Stroke } from '../stroke';
 import { changeSettings, results, view, wants } from './store';
 
-/** Levels per vertex of the shown body; null where it is bare. */
+/** Levels per vertex of the shown body; null if it is unpainted. */
 export const shownLevels = computed((): Levels | null => {
   const body = results.body.value;
   const levels = body && parsePaint(wants.settings.value.paint).get(meshNumber());
-  // For a text of another file the stage of the history reports the error.
+  // For a text of another file, the stage of the history reports the error.
   if (!levels || levels.length !== body.vertexOfSource.length) return null;
   return weldLevels(levels, body.vertexOfSource, vertexCount(body.mesh));
 });
@@ -34,7 +34,7 @@ export function levelsAfter({ vertices, isErasing }: Stroke): Levels {
   return levels;
 }
 
-/** 1 in the middle, falling to 0 over the outer share `softness` (0 to 1) of the brush; `distance` is over its radius. */
+/** 1 in the middle, falling to 0 over the outer fraction `softness` (0 to 1) of the brush; `distance` is relative to its radius. */
 const nearness = (distance: number, softness: number): number =>
   softness > 0 ? Math.min(1, (1 - distance) / softness) : 1;
 

@@ -1,4 +1,4 @@
-/** Texts that the page refuses, and how it words errors beside a control. */
+/** Texts that the page refuses, and the wording of errors next to a control. */
 
 import { OPTIONS, SettingError, wordSentence } from '../../engine/settings/options';
 
@@ -8,14 +8,14 @@ export interface Refusal {
   why: string;
 }
 
-/** An error as a sentence beside the control that it is about: the control's text is "This". */
+/** An error as a sentence next to the control that it concerns: the control's text is "This". */
 export function besideControl(error: unknown): string {
   if (error instanceof SettingError)
     return wordSentence('This', error.sentence, (setting) => `“${OPTIONS[setting].label}”`);
   return error instanceof Error ? error.message : String(error);
 }
 
-/** Why `check` refuses the text; null where it does not throw. */
+/** The reason why `check` refuses the text; null if it does not throw. */
 export function refusalOf(text: string, check: () => void): Refusal | null {
   try {
     check();

@@ -1,4 +1,4 @@
-/** How long what is running will still take, as far as its progress allows to tell. */
+/** Estimates the remaining time of the running work from its progress. */
 
 import { say } from '../language/say';
 import type { CallProgress } from '../worker/protocol';
@@ -13,7 +13,7 @@ const EVERY = 0.5;
 const MAX_SPREAD = 1.5;
 const LOOKS = 3;
 
-/** 0..1 of the work on all bodies, or of the phase of a single one; null where nothing is known. */
+/** 0..1 of the work on all bodies, or of the phase of a single one; null if unknown. */
 export function shareDone(progress: CallProgress | null): number | null {
   if (!progress) return null;
   const { share, fraction, phase } = progress;
@@ -22,15 +22,15 @@ export function shareDone(progress: CallProgress | null): number | null {
 }
 
 /**
- * Remaining seconds of one phase, extrapolated from the share that is done. Call it often with the seconds since the phase has begun
- * and the share, 0..1; null: unknown, not stable yet, or too short to be told.
+ * Remaining seconds of one phase, extrapolated from the completed share. Must be called often with the seconds since
+ * the start of the phase and the share, 0..1; null: unknown, not yet stable, or too short to be shown.
  */
 export function remainingTime(): (seconds: number, share: number | null) => number | null {
-  /** the end of the phase, in s after its beginning, as the last looks had it */
+  /** the estimated ends of the phase from the last samples, in s after its start */
   let ends: number[] = [];
   let lookedAt = -Infinity;
   return (seconds, share) => {
-    // A phase has begun anew.
+    // A new phase has begun.
     if (seconds < lookedAt) [ends, lookedAt] = [[], -Infinity];
     if (share === null || share < MIN_DONE) return null;
     if (seconds - lookedAt >= EVERY) {
@@ -43,7 +43,7 @@ export function remainingTime(): (seconds: number, share: number | null) => numb
   };
 }
 
-/** ", 40 s left"; '' where it is unknown or too short to be told. */
+/** ", 40 s left"; '' if it is unknown or too short to be shown. */
 export function describeLeft(seconds: number | null): string {
   if (seconds === null || seconds < MIN_SECONDS) return '';
   return seconds < 90

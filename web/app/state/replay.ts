@@ -1,4 +1,4 @@
-/** Shows the mesh of the wanted faces at once: the history is replayed beside whatever the tasks of the runner compute. */
+/** Shows the mesh of the wanted faces at once: the history is replayed in parallel to the tasks of the runner. */
 
 import { computed, effect, signal, untracked } from '@preact/signals';
 import type { MeshAt } from '../../engine/core/core';
@@ -20,12 +20,12 @@ const shown = signal<Asked | null>(null);
 
 const isSame = (a: Asked | null, b: Asked | null): boolean => a?.id === b?.id && a?.faces === b?.faces;
 
-/** Whether the history's mesh of the wanted faces is there. */
+/** Whether the history's mesh of the wanted faces is available. */
 export const isReplayed = computed(
   () => results.mesh.value !== null && asked.value !== null && isSame(shown.value, asked.value),
 );
 
-/** Replays from now on whenever the slider moves, or there is another history. */
+/** From now on, replays whenever the slider moves or the history changes. */
 export function startReplay(): void {
   effect(() => {
     if (asked.value && !isReplayed.value) untracked(() => void replay());
@@ -34,14 +34,14 @@ export function startReplay(): void {
 
 let isRunning = false;
 
-/** Replays for one place of the slider at a time, and then for the place where it is by then. */
+/** Replays for one position of the slider at a time, then for its position at that time. */
 async function replay(): Promise<void> {
   if (isRunning) return;
   isRunning = status.isReplaying.value = true;
   try {
     for (let next = asked.peek(); next && !isReplayed.peek(); next = asked.peek()) {
       const mesh = await meshAt(next);
-      // While the slider moves, a mesh on the way is better than none.
+      // While the slider moves, an intermediate mesh is better than none.
       if (mesh && results.history.peek()?.replayId === next.id) show(mesh, next);
       else if (isSame(next, asked.peek())) break;
     }
@@ -57,7 +57,7 @@ function show(mesh: MeshAt, of: Asked): void {
   results.mesh.value = mesh;
 }
 
-/** The worker of the tasks takes over where the one that replays cannot be started, or has ended, for the history of the settings. */
+/** If the replaying worker cannot be started or has ended, the worker of the tasks takes over for the history of the settings. */
 async function meshAt({ id, faces }: Asked): Promise<MeshAt | null> {
   const [body, settings] = [wants.body.peek(), wants.settings.peek()];
   return replayer

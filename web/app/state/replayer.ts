@@ -15,13 +15,13 @@ export class Replayer {
   /** `base`: the address of the page's folder, with a final slash. */
   constructor(private readonly base: string) {}
 
-  /** A worker will send its histories to this port. */
+  /** The port to which a worker sends its histories. */
   listen(port: MessagePort): void {
     if (this.remote) void this.remote.listen(transfer(port, [port]));
     else this.port = port;
   }
 
-  /** Starts the worker, where it has not been started before. */
+  /** Starts the worker unless it has been started before. */
   open(): void {
     if (this.remote) return;
     const worker = new Worker(new URL('../worker/replay_worker.ts', import.meta.url), { type: 'module' });
@@ -41,7 +41,7 @@ export class Replayer {
     this.port = null;
   }
 
-  /** See ReplayApi. Rejects where the worker could not be started, or has ended. */
+  /** See ReplayApi. Rejects if the worker could not be started or has ended. */
   meshAt(id: string, faces: number): Promise<MeshAt | null> {
     this.open();
     return Promise.race([this.remote!.meshAt(id, faces), this.ended]);

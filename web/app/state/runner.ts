@@ -1,4 +1,4 @@
-/** Runs tasks in the worker, in their order, whenever the key of one differs from the key that its result was made from. */
+/** Runs tasks in the worker, in order, whenever the key of a task differs from that of its result. */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
@@ -23,9 +23,9 @@ import { forgetUndo, startUndo } from './undo';
 import { beginWork, endWork, startKeepingWork, workBefore } from './work/file_work';
 import { contentKey } from './work/kept_work';
 
-/** The key that the result of each task was made from, or with which it has failed. */
+/** The key with which each task was last computed or failed. */
 const done = new Map<Task, string>();
-/** The key of each task that the user has cancelled, or whose worker has ended: with that key it waits for `resume`. */
+/** The key of each task that the user has cancelled or whose worker has ended: with that key it waits for `resume`. */
 const stopped = signal<ReadonlyMap<Task, string>>(new Map());
 /** the running task, the shown body, the key of its result, and the key that the task had when the user cancelled it */
 let running: { task: Task; body: number; key: string; cancelled: string | null } | null = null;
@@ -36,17 +36,17 @@ let opening: Promise<void> = Promise.resolve();
 /** the files that are being opened */
 let opened: { isCancelled: boolean } | null = null;
 
-/** What is wanted of files that are opened. */
+/** The request for files that are opened. */
 export interface HowToOpen {
-  /** what a link or an earlier session asks of them */
+  /** the request of a link or an earlier session */
   asked?: Wanted;
-  /** what they begin with where nothing is asked and nothing was done to them before; left out: what any other model does */
+  /** the initial settings without a request and without earlier work on them; absent: those of any other model */
   fresh?: Wanted;
   /** what is said once they are open of others that came with them */
   leftOut?: string;
 }
 
-/** Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. */
+/** Opens files in place of the shown ones; if they cannot be read, the shown ones stay and a notice says why. */
 export function openFiles(files: SourceFile[], how: HowToOpen = {}): Promise<void> {
   if (running) client.cancel();
   replayer.open();
@@ -67,7 +67,7 @@ async function openNow(files: SourceFile[], how: HowToOpen): Promise<void> {
     if (own.isCancelled) return;
     const [file, key] = await Promise.all([client.open(files), contentKey(files)]);
     endWork();
-    // The models of a queue have one setting.
+    // The models of a queue share their settings.
     const startsAnew = !isLinedUp(files);
     const asked = how.asked ?? takeAwaited(file.name);
     const fresh = how.fresh ?? freshWanted(startsAnew);
@@ -81,7 +81,7 @@ async function openNow(files: SourceFile[], how: HowToOpen): Promise<void> {
   }
 }
 
-/** What is wanted of a model by itself. `startsAnew`: without what the last one is for. */
+/** The request for a single model. `startsAnew`: without the settings that belong to the last model. */
 function freshWanted(startsAnew: boolean): Wanted {
   const { value: last } = wants.settings;
   const settings = {
@@ -118,14 +118,14 @@ function take(file: OpenedFile, wanted: Wanted, startsAnew: boolean): void {
   forgetUndo();
 }
 
-/** The body that is asked for, where the file has it and it can be used. */
+/** The requested body, if the file has it and it can be used. */
 const bodyToShow = ({ bodies, first }: OpenedFile, { body }: Wanted): number =>
   isUsable(bodies, body) ? body : first;
 
 const isUsable = (bodies: OpenedBody[], index: number): boolean =>
   index < bodies.length && bodies[index].health !== null;
 
-/** Shows another body of the same file, where it has it and it can be used. */
+/** Shows another body of the same file, if it exists and can be used. */
 export function showBody(index: number): void {
   if (index === wants.body.value || !isUsable(results.file.value?.bodies ?? [], index)) return;
   if (running) client.cancel();
@@ -136,15 +136,15 @@ export function showBody(index: number): void {
     for (const task of ofBody) task.result.value = null;
     results.mesh.value = null;
     wants.body.value = index;
-    // The sentence is of the other body; where this one refuses them too, it is said again.
+    // The sentence belongs to the other body; if this one refuses the pins too, it is shown again.
     status.refusedPins.value = null;
   });
 }
 
-/** The user's cancel: a file is not opened, and a task waits until its inputs change or `resume` is called. */
+/** Cancels on behalf of the user: a file is not opened, and a task waits until its inputs change or `resume` is called. */
 export function cancelRunning(): void {
   if (opened) opened.isCancelled = true;
-  // Where its inputs have just changed, the cancel is of what would run next.
+  // If its inputs have just changed, the cancellation applies to the task that would run next.
   else if (running) running.cancelled = running.task.key();
   client.cancel();
 }
@@ -156,7 +156,7 @@ export function resume(): void {
   void loop();
 }
 
-/** Runs tasks from now on whenever the state asks for them. */
+/** From now on, runs tasks whenever the state requires them. */
 export function startRunner(): void {
   startUndo(showBody);
   startReplay();
@@ -182,7 +182,7 @@ export function startRunner(): void {
   });
 }
 
-/** Whether something else is due before a patient task goes on. */
+/** Whether another task is due before a patient task continues. */
 const mustWait = (task: Task): boolean => task.isPatient === true && nextTask() !== task;
 
 const isStopped = (task: Task, key: string | null): boolean =>
@@ -193,7 +193,7 @@ function isDue(task: Task): boolean {
   return key !== null && done.get(task) !== key && !isStopped(task, key);
 }
 
-/** Patient tasks stand behind all others anyway. */
+/** Patient tasks come after all others anyway. */
 function nextTask(): Task | undefined {
   const due = tasks.filter(isDue);
   return due.find((task) => !task.isPatient && !task.isLate?.()) ?? due[0];
@@ -204,7 +204,7 @@ async function loop(): Promise<void> {
   looping = true;
   status.isComputing.value = true;
   for (;;) {
-    // A file that is being opened replaces what the next task works on.
+    // A file that is being opened replaces the input of the next task.
     await opening;
     const task = nextTask();
     if (!task || !(await run(task, task.key()!))) break;
@@ -218,7 +218,7 @@ async function run(task: Task, key: string): Promise<boolean> {
   const own: typeof running = (running = { task, body: wants.body.value, key, cancelled: null });
   try {
     const value = await (call = whileBusy(task.what, () => task.run()));
-    // Another body may be chosen while the answer is on its way, which no cancel stops.
+    // Another body may be chosen while the answer is in transit, which cannot be cancelled.
     if (own.body !== wants.body.value && !task.isOfFile) return true;
     done.set(task, key);
     setStopped(task, null);
@@ -227,7 +227,7 @@ async function run(task: Task, key: string): Promise<boolean> {
   } catch (error) {
     if (isCancel(error)) {
       setStopped(task, own.cancelled);
-      // Otherwise its inputs have changed, or something else is due.
+      // Otherwise its inputs have changed, or another task is due.
       return own.cancelled === null || own.cancelled !== task.key();
     }
     // A worker may end again for the same reason, so the user decides whether the task runs again.
@@ -235,7 +235,7 @@ async function run(task: Task, key: string): Promise<boolean> {
     else if (task.giveUp) task.giveUp();
     else done.set(task, key);
     complain(error);
-    // The task is not tried again before its inputs change.
+    // The task is not retried before its inputs change.
     return task.key() !== key;
   } finally {
     running = null;

@@ -1,4 +1,4 @@
-/** The one client of the page, what is said while it computes, and what is said when that fails. */
+/** The only client of the page, and its progress and error messages. */
 
 import { Client, WorkerLost } from './client';
 import { isMissingFile, reloadPage } from './offline';
@@ -10,9 +10,9 @@ import type { Notice } from './store';
 import { say, sentence } from '../language/say';
 
 const SLOW_MILLISECONDS = 200;
-/** Between two looks at the progress: every picture of the page takes time from what is computed. */
+/** ms between two updates of the progress: every repaint of the page takes time from the computation. */
 const LOOK_MILLISECONDS = 100;
-/** Without progress for so long a call may be stuck. */
+/** A call without progress for this long may be stuck. */
 const STUCK_MILLISECONDS = 60_000;
 
 const base = new URL('.', document.baseURI).href;
@@ -52,7 +52,7 @@ function noticeOf(error: unknown): Notice {
   return { kind: 'error', text };
 }
 
-/** Shows what is going on while `make` runs, unless it is quick. */
+/** Shows the progress while `make` runs, unless it is quick. */
 export async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
   let begin = performance.now();
   let phase = '';
@@ -77,7 +77,7 @@ export async function whileBusy<T>(what: string, make: () => Promise<T>): Promis
   }
 }
 
-/** Tells once when the progress has stayed the same for too long. */
+/** Shows a notice once if the progress has not changed for too long. */
 function stuckness(): (progress: CallProgress | null) => boolean {
   let [last, since, isTold] = ['', performance.now(), false];
   return (progress) => {

@@ -1,4 +1,4 @@
-/** Keeps the files, those that are lined up, the settings, what can be undone and the view of each tab, for a reload or a later visit. */
+/** Stores the files, the queue, the settings, the undo history and the view of each tab, for a reload or a later visit. */
 
 import { effect, signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
@@ -18,18 +18,18 @@ interface SavedFiles {
   /** ms since 1970 */
   at: number;
   files: SourceFile[];
-  /** models that are lined up beside it; their results are not kept */
+  /** queued models; their results are not stored */
   queue?: ModelGroup[];
-  /** names what is open, see Saved; absent in records of earlier versions */
+  /** identifies the open files, see Saved; absent in records of earlier versions */
   open?: string;
 }
 
-/** What a tab had open. */
+/** The session of a tab. */
 export interface Session {
   name: string;
   files: SourceFile[];
   wanted: Wanted;
-  /** Call this once the files are open. */
+  /** Must be called once the files are open. */
   show(): void;
 }
 
@@ -41,10 +41,10 @@ const MAX_CLOSED_TABS = 2;
 const LARGEST = 400e6;
 const REST_MILLISECONDS = 400;
 
-/** Names what is open, see Saved. */
+/** Identifies the open files, see Saved. */
 const openId = signal('');
 
-/** What the user wants of the file of this name, as the text of a link; see writeLink. */
+/** The settings for the file of this name, as the text of a link; see writeLink. */
 export function linkOfWants(file: string | null): string {
   const { settings, faces, own, body } = wants;
   return writeLink({ settings: settings.value, faces: faces.value, own: own.value, body: body.value, file });
@@ -80,37 +80,37 @@ function saveText(id: string, saved: Saved): void {
   try {
     storeSaved(localStorage, SETTINGS_PREFIX + id, saved);
   } catch {
-    // The browser refuses its store.
+    // The browser refuses access to its storage.
   }
 }
 
-/** Saves the files of this tab in place of its earlier ones, and deletes those of tabs that were closed long ago. */
+/** Saves the files of this tab in place of its earlier ones, and deletes those of long closed tabs. */
 export async function saveFiles(files: SourceFile[]): Promise<void> {
   const open = (openId.value = crypto.randomUUID());
   const { id } = await ownTab;
   const live = await liveTabs();
   try {
     await withStore('readwrite', (store) => deleteOld(store, id, live));
-    // Files that were opened meanwhile are saved instead.
+    // Files that have been opened meanwhile are saved instead.
     if (isTooLarge(files) || open !== openId.value) return;
     const record: SavedFiles = { id, at: Date.now(), files, queue: queueBeside(files), open };
     await withStore('readwrite', (store) => store.put(record));
   } catch {
-    // Where the browser refuses, nothing comes back after a reload.
+    // If the browser refuses, nothing is restored after a reload.
   }
 }
 
-/** The models that are lined up; none where they would be too large together. */
+/** The queued models; none if their total is too large. */
 function queueBeside(files: SourceFile[]): ModelGroup[] {
   const groups = (queue.value?.items ?? []).map((item) => ({ name: item.name, files: item.files }));
   return isTooLarge([...files, ...groups.flatMap((group) => group.files)]) ? [] : groups;
 }
 
-/** Files that several models share are kept once. */
+/** Files that several models share are stored once. */
 const isTooLarge = (files: SourceFile[]): boolean =>
   [...new Set(files)].reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST;
 
-/** Deletes the files of this tab and of tabs that were closed long ago. */
+/** Deletes the files of this tab and of long closed tabs. */
 function deleteOld(store: IDBObjectStore, id: string, live: ReadonlySet<string>): IDBRequest<TabKey[]> {
   const all = allKeys(store);
   all.onsuccess = () => {
@@ -124,13 +124,13 @@ function deleteOld(store: IDBObjectStore, id: string, live: ReadonlySet<string>)
   return all;
 }
 
-/** What this tab had open before it was reloaded, or the tab that it is a copy of; null where nothing is saved. */
+/** The session of this tab before its reload, or of the tab that it is a copy of; null if nothing is saved. */
 export async function savedSession(): Promise<Session | null> {
   const { source } = await ownTab;
   return source === null ? null : sessionOf(source);
 }
 
-/** The newest work of the tabs that are closed; null where there is none. */
+/** The newest session of the closed tabs; null if there is none. */
 export async function lastSession(): Promise<Session | null> {
   try {
     const live = await liveTabs();
@@ -151,7 +151,7 @@ async function sessionOf(id: string): Promise<Session | null> {
     const keys = await withStore('readonly', allKeys);
     const key = keys.findLast((one) => one[1] === id);
     const saved = key && (await withStore('readonly', (store) => store.get(key) as IDBRequest<SavedFiles>));
-    // The text may be of files that could not be saved.
+    // The text may belong to files that could not be saved.
     if (!saved || (saved.open ?? '') !== open || !wanted) return null;
     const { files, queue: groups = [] } = saved;
     const show = () => {

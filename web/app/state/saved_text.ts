@@ -1,4 +1,4 @@
-/** What is kept of a tab besides its files, as a text. It is checked when it is read, as it may be of another version or damaged. */
+/** The stored state of a tab apart from its files, as a text. It is checked when read, because it may be damaged or from another version. */
 
 import { readLink } from './link';
 import type { FieldName, Layout, Step } from './store';
@@ -10,9 +10,9 @@ export interface Saved {
   layout: Layout;
   field: FieldName;
   undo: UndoText;
-  /** whether several models are lined up */
+  /** whether several models are queued */
   hasQueue: boolean;
-  /** The record of the files has the same, so that they never come back with the settings of others; '' in earlier versions. */
+  /** The record of the files has the same value, so that they are never restored with the settings of other files; '' in earlier versions. */
   open: string;
 }
 
@@ -20,7 +20,7 @@ const STEPS: readonly Step[] = ['model', 'motion', 'reduce', 'test'];
 const LAYOUTS: readonly Layout[] = ['both', 'slider', 'original', 'optimized'];
 const FIELDS: readonly FieldName[] = ['none', 'strain', 'curvature'];
 
-/** Stores the text; a store that is too full keeps fewer steps of undo, and at worst no text at all. */
+/** Stores the text; a storage that is too full keeps fewer steps of undo, and at worst no text at all. */
 export function storeSaved(
   storage: Pick<Storage, 'setItem' | 'removeItem'>,
   key: string,
@@ -48,7 +48,7 @@ export function forgetTexts(
     if (key.startsWith(prefix) && !kept.has(key.slice(prefix.length))) storage.removeItem(key);
 }
 
-/** Words that are not known become the first of their kind, steps of undo that cannot be read are left out. Throws an Error. */
+/** Unknown values become the first of their kind; steps of undo that cannot be read are dropped. Throws an Error. */
 export function readSaved(text: string): Saved {
   const { link, step, layout, field, undo, hasQueue, open } = objectOf(JSON.parse(text));
   if (typeof link !== 'string') throw new Error('The saved text has no settings.');

@@ -11,10 +11,10 @@ export const isDark = computed(() =>
   view.theme.value === 'system' ? systemIsDark.value : view.theme.value === 'dark',
 );
 
-/** Whether the system asks for less motion, now. */
+/** Whether the system currently asks for reduced motion. */
 export const isMotionReduced = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
-/** What the viewport draws with; the colours of the page itself are in styles/tokens.css. */
+/** The colours of the viewport; those of the page itself are in styles/tokens.css. */
 export const LIGHT = {
   clay: '#b9c8d4',
   wire: '#1c2a36',

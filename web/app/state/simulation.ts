@@ -22,11 +22,11 @@ import { results, shownFit, shownMesh, status, view, wantedKey, wants } from './
 import { isTuningWanted, pinSource, twin, usedTuning } from './twin';
 import { say } from '../language/say';
 
-/** ms; numbers that change faster than this cannot be read. */
+/** ms; faster changing numbers would be unreadable. */
 const NUMBERS_EVERY = 250;
 /** ms between two updates of the chart. */
 const CURVE_EVERY = 100;
-/** ms; a simulation starts once its settings have stayed the same for so long. */
+/** ms; a simulation starts once its settings have not changed for this long. */
 const REST_MILLISECONDS = 200;
 /** s; a worker whose steps take longer is ended rather than waited for. */
 const LONG_STEP = 0.3;
@@ -46,18 +46,18 @@ export const simulationKey = computed<string | null>(() => {
   return [meshKey(), pins, ...values, usedTuning.value !== null, twin.alwaysNoise.value].join(' ');
 });
 
-/** Pins that are still to be found start it once more. */
+/** Pins that are yet to be found will restart it. */
 const pinsKey = (): string =>
   `${keyOf(STAGES.pinned, wants.settings.value)} ${results.pins.value?.text ?? ''}`;
 
 const meshKey = (): string =>
   [results.opened.value, wants.body.value, wantedKey(STAGES.fitted), isFittedShown()].join(' ');
 
-/** Whether the optimized mesh is still to be fitted, or to be tuned. */
+/** Whether the optimized mesh is yet to be fitted or tuned. */
 const isPending = (): boolean =>
   status.working.value && (!isFittedShown() || (isTuningWanted.value && usedTuning.value === null));
 
-/** A fit that changes nothing shows the mesh of the history, which may still be replayed. */
+/** A fit that changes nothing shows the mesh of the history, which may still be in replay. */
 const isFittedShown = (): boolean =>
   shownFit.value !== null && (shownFit.value.result !== null || !status.isReplaying.value);
 
@@ -95,7 +95,7 @@ function openWorker(): Remote<SimulationApi> {
   loaded.then(
     () => watchLife(lock, () => onEnd(say('the browser has ended it'))),
     () => {
-      // The next start tries again.
+      // The next start retries.
       own.terminate();
       if (worker === own) worker = remote = null;
     },
@@ -103,14 +103,14 @@ function openWorker(): Remote<SimulationApi> {
   return api;
 }
 
-/** Ends the worker, also in the middle of a long step, and frees its memory. */
+/** Ends the worker, even in the middle of a long step, and frees its memory. */
 function closeWorker(): void {
   worker?.terminate();
   worker = remote = null;
   clearFrames();
 }
 
-/** Invalidates the running simulation: its last frame stays on screen with the scale of its colours, its numbers do not. */
+/** Invalidates the running simulation: its last frame stays on screen with the scale of its colours, but its numbers are removed. */
 function invalidate(): void {
   startNumber += 1;
   twin.numbers.value = null;
@@ -129,7 +129,7 @@ function clearFrames(): void {
   clearSamples();
 }
 
-/** How the scene turns the shown body. */
+/** The rotation of the shown body in its scene. */
 export const shownRotation = (): SceneRotation | null =>
   rotationOf(results.file.value!.bodies[wants.body.value].nodeMatrix);
 
@@ -150,7 +150,7 @@ export const troubleOfPins = computed((): PinProblem | null => {
   return findPinProblem(wants.settings.value.scenario, mesh, pinned);
 });
 
-/** What both bodies are started with, now. */
+/** The current setup of both bodies. */
 export function twinSetup(result: MeshAt): TwinSetup {
   const { mesh: original, diagonal, scale } = results.body.value!;
   return {
@@ -217,7 +217,7 @@ export function releaseDrag(): void {
   void remote?.release();
 }
 
-/** Resolves with the next animation frame, so that the worker sends no more frames than the page draws. */
+/** Resolves at the next animation frame, so that the worker sends no more frames than the page draws. */
 function showFrame(frame: TwinFrame): Promise<void> {
   if (frame.number === startNumber) applyFrame(frame);
   return new Promise((resolve) => requestAnimationFrame(() => resolve()));
@@ -250,7 +250,7 @@ export function startSimulations(): void {
   effect(() => {
     const { value: wanted } = simulationKey;
     if (view.step.value !== 'test') return untracked(closeWorker);
-    // Frames of a body that is shown no more would be taken for those of the next one.
+    // Frames of a body that is no longer shown would be mistaken for those of the next one.
     if (!results.body.value) return untracked(clearFrames);
     if (wanted === null) return untracked(invalidate);
     untracked(invalidate);

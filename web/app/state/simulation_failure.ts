@@ -1,8 +1,8 @@
-/** Why a worker that simulates has ended. */
+/** The reasons why a simulation worker has ended. */
 
 import { say } from '../language/say';
 
-/** Rejects where the program of the worker cannot be loaded, or fails. */
+/** Rejects if the program of the worker cannot be loaded, or fails. */
 export const failureOf = (worker: Worker): Promise<never> =>
   new Promise((_, reject) => {
     worker.addEventListener('error', ({ message }) =>

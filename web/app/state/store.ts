@@ -1,4 +1,4 @@
-/** The whole state of the page: what the user wants, what has been computed from it, and how it is shown. */
+/** The whole state of the page: the user's settings, the results computed from them, and the display. */
 
 import { faceCount } from '../../engine/core/mesh';
 import { computed, signal } from '@preact/signals';
@@ -40,11 +40,11 @@ export type Theme = 'system' | 'light' | 'dark';
 export interface Notice {
   kind: 'error' | 'info';
   text: string;
-  /** a button beside the text */
+  /** a button next to the text */
   action?: { label: string; run(): void };
 }
 
-/** What the user wants. */
+/** The user's settings. */
 export const wants = {
   settings: signal<Settings>(defaultSettings()),
   body: signal(0),
@@ -55,11 +55,11 @@ export const wants = {
   exportOpen: signal(false),
   exportFields: signal(false),
   exportBinding: signal(false),
-  /** whether levels of detail are looked at */
+  /** whether levels of detail are displayed */
   levelsShown: signal(false),
 };
 
-/** What has been computed; null until then. `opened` counts files, so that results of an earlier file are never shown. */
+/** The computed results; null until then. `opened` counts files, so that results of an earlier file are never shown. */
 export const results = {
   opened: signal(0),
   file: signal<OpenedFile | null>(null),
@@ -70,7 +70,7 @@ export const results = {
   guidance: signal<StrainGuidance | null>(null),
   curvature: signal<Curvature | null>(null),
   history: signal<HistorySummary | null>(null),
-  /** how faces are shared out over the bodies; a file of one body needs none */
+  /** how faces are distributed among the bodies; not needed for a file with one body */
   shares: signal<SharesResult | null>(null),
   marks: signal<DeviationMarks | null>(null),
   mesh: signal<MeshAt | null>(null),
@@ -80,45 +80,45 @@ export const results = {
   why: signal<WhyResult | null>(null),
   exported: signal<ExportResult | null>(null),
   genericFiles: signal<GenericFiles | null>(null),
-  /** the file as a GLB, to be drawn with its materials */
+  /** the file as a GLB, for drawing with its materials */
   originalFile: signal<Uint8Array | null>(null),
   resultFile: signal<ResultFile | null>(null),
   drawnLevels: signal<DrawnLevels | null>(null),
 };
 
-/** How bodies are shown. */
+/** The display of bodies. */
 export const view = {
   step: signal<Step>('model'),
   layout: signal<Layout>('both'),
   /** the share of the viewport that shows the original in the slider layout */
   split: signal(0.5),
-  /** what the mesh is coloured by on each step */
+  /** the field that colours the mesh on each step */
   fields: signal<Record<Step, FieldName>>({ model: 'none', motion: 'strain', reduce: 'none', test: 'none' }),
-  /** how a mesh without a field looks */
+  /** the look of a mesh without a field */
   look: signal<LookName>('textured'),
   isFlat: signal(false),
-  /** whether the stage shows the whole scene, and not the chosen body alone */
+  /** whether the stage shows the whole scene, not just the chosen body */
   isWhole: signal(true),
-  /** numbers of bodies that are not shown */
+  /** indices of hidden bodies */
   hidden: signal<ReadonlySet<number>>(new Set()),
   /** whether the file's own animation plays */
   animated: signal(false),
   /** whether the meshes swing on the Reduce step */
   swings: signal(false),
-  /** null: where triangles are large enough to be told apart */
+  /** null: if triangles are large enough to be distinguished */
   wire: signal<boolean | null>(null),
   playing: signal(!matchMedia('(prefers-reduced-motion: reduce)').matches),
   amplitude: signal(8),
   speed: signal(1),
   theme: signal<Theme>('system'),
   helpOpen: signal(false),
-  /** the panel that a narrow window shows, which has room for one */
+  /** the panel shown in a narrow window, which has room for one */
   sheet: signal<'settings' | 'facts' | 'closed'>('settings'),
   /** the vertex of the optimized mesh whose card is shown, and whether the card stays when the pointer leaves it */
   hover: signal<{ vertex: number; stays: boolean } | null>(null),
-  /** whether the left button pins vertices instead of turning the view */
+  /** whether the left button pins vertices instead of rotating the view */
   picking: signal(false),
-  /** what the left button paints on the Reduce step (null: it turns the view); radius in % of the diagonal, softness 0..1 */
+  /** what the left button paints on the Reduce step (null: it rotates the view); radius in % of the diagonal, softness 0..1 */
   brush: signal<{ tool: BrushTool | null; radius: number; softness: number }>({
     tool: null,
     radius: 6,
@@ -129,7 +129,7 @@ export const view = {
 const isComputing = signal(false);
 const isReplaying = signal(false);
 
-/** What is going on. */
+/** The current activity of the page. */
 export const status = {
   /** whether the runner has tasks to run */
   isComputing,
@@ -137,17 +137,17 @@ export const status = {
   isReplaying,
   /** whether stages are running or about to run */
   working: computed(() => isComputing.value || isReplaying.value),
-  /** `left`: remaining seconds of the phase that the progress counts, or of all bodies, see remaining.ts */
+  /** `left`: remaining seconds of the current phase, or of all bodies, see remaining.ts */
   busy: signal<{ what: string; progress: CallProgress | null; left: number | null } | null>(null),
-  /** the tasks that were stopped, and that wait to be run again */
+  /** the stopped tasks, which wait to be resumed */
   paused: signal<readonly string[]>([]),
   notice: signal<Notice | null>(null),
-  /** the last text for the pins that was refused, and why */
+  /** the last refused text for the pins, and the reason */
   refusedPins: signal<Refusal | null>(null),
   threads: signal(0),
 };
 
-/** What the mesh is coloured by on this step. */
+/** The field that colours the mesh on this step. */
 export const shownField = computed(() => view.fields.value[view.step.value]);
 
 export function chooseField(field: FieldName): void {
@@ -163,7 +163,7 @@ export const areModesStale = computed(
   () => results.modes.value !== null && results.modes.value.key !== keyOf(STAGES.modes, wants.settings.value),
 );
 
-/** The comparison of the modes that are shown; null while it is still to be made. */
+/** The comparison of the shown modes; null until it has been made. */
 export const shownOverview = computed(() => {
   const { value: made } = results.overview;
   return made && made.key === results.modes.value?.key ? made : null;
@@ -176,38 +176,38 @@ export const isHistoryStale = computed(
     results.history.value.key !== keyOf(STAGES.history, wants.settings.value),
 );
 
-/** The mesh that is shown as optimized: that of the history while the slider moves, then the fitted one. */
+/** The mesh shown as optimized: that of the history while the slider moves, then the fitted one. */
 export const shownMesh = computed(() => shownFit.value?.result ?? results.mesh.value);
 
-/** The key that the result of a stage has where it is one of the wanted settings and faces. */
+/** The key of a stage's result for the current settings and faces. */
 export const wantedKey = (stage: Stage<unknown, keyof Settings | 'fewestFaces' | 'targetFaces'>): string =>
   keyOf(stage, { ...wants.settings.value, targetFaces: wantedFaces.value });
 
-/** The fit of the shown mesh; null until it is done. */
+/** The fit of the shown mesh; null until it is finished. */
 export const shownFit = computed(() => {
   const { value: fitted } = results.fitted;
   return fitted?.key === wantedKey(STAGES.fitted) ? fitted : null;
 });
 
-/** Whether a limit on the deviation or on the frequencies has ended the shown result above the wanted faces. */
+/** Whether a limit on the deviation or on the frequencies has stopped the shown result above the wanted faces. */
 export const isLimited = computed(() => {
   const { value: fit } = shownFit;
   return fit !== null && (fit.guard !== null || fit.frequency?.isBinding === true);
 });
 
-/** What has been measured on the shown mesh; null until it is done. */
+/** The measures of the shown mesh; null until they are finished. */
 export const shownMetrics = computed(() => {
   const { value: metrics } = results.metrics;
   return metrics?.key === wantedKey(STAGES.measured) ? metrics : null;
 });
 
-/** Why the vertices of the shown result are kept; null until it is known. */
+/** Why the vertices of the shown result are kept; null until known. */
 export const shownWhy = computed(() => {
   const { value: why } = results.why;
   return why?.key === whyKey() ? why : null;
 });
 
-/** Whether the stage draws files with their materials, where it has them. */
+/** Whether the stage draws files with their materials, if it has them. */
 export const isFileDrawn = computed(() => {
   const { value: step } = view.step;
   if (shownField.value !== 'none' || isBrushing.value) return false;
@@ -231,18 +231,18 @@ export const isBrushing = computed(
   () => view.brush.value.tool !== null && view.step.value === 'reduce' && results.body.value !== null,
 );
 
-/** Whether the shown body has faces from a number that several bodies share. */
+/** Whether the shown body takes its faces from a number that several bodies share. */
 export const isSharing = computed(
   () => (results.file.value?.bodies.length ?? 0) > 1 && !wants.own.value.has(wants.body.value),
 );
 
-/** How many faces are to be kept, as the worker is asked. */
+/** The numbers of faces to keep, in the form of the worker's calls. */
 export const keptFaces = computed((): KeptFaces => ({
   faces: (results.file.value?.bodies.length ?? 0) > 1 ? wants.faces.value : wantedFaces.value,
   own: [...wants.own.value],
 }));
 
-/** How many faces the shown body should keep. */
+/** The number of faces that the shown body should keep. */
 export const wantedFaces = computed((): number => {
   const total = results.body.value ? faceCount(results.body.value.mesh) : 0;
   const half = Math.floor(total / 2);
@@ -251,7 +251,7 @@ export const wantedFaces = computed((): number => {
   return own ?? wants.faces.value ?? half;
 });
 
-/** What the slider of the kept faces shows. */
+/** The state of the slider of the kept faces. */
 export const slider = computed(() => {
   const { value: history } = results.history;
   const { value: shares } = results.shares;
@@ -270,16 +270,16 @@ export const slider = computed(() => {
   };
 });
 
-/** Keeps so many faces, of what the slider stands for. */
+/** Sets the number of faces of the bodies that the slider controls. */
 export function keepFaces(faces: number): void {
   if (wants.own.value.has(wants.body.value)) setOwnFaces(faces);
   else wants.faces.value = faces;
 }
 
-/** Gives the shown body a number of faces of its own; null: it shares with the others again. */
+/** Gives the shown body its own number of faces; null: it shares with the others again. */
 export const setOwnFaces = (faces: number | null): void => setFacesOf(wants.body.value, faces);
 
-/** Gives any body a number of faces of its own; null: it shares with the others again. */
+/** Gives any body its own number of faces; null: it shares with the others again. */
 export function setFacesOf(body: number, faces: number | null): void {
   const own = new Map(wants.own.value);
   if (faces === null) own.delete(body);

@@ -1,14 +1,14 @@
-/** Which tabs are open. Each has a lock of the browser for as long as it lives, so that two never save to one name. */
+/** The open tabs. Each holds a browser lock for its lifetime, so that two tabs never save under the same name. */
 
 const TAB_KEY = 'limber-tab';
 const PREFIX = 'limber-tab-';
-/** A page that is being reloaded may still have its lock for a moment. */
+/** A page that is being reloaded may still hold its lock for a moment. */
 const TRIES = 5;
 const TRY_MILLISECONDS = 60;
 
 export interface Tab {
   id: string;
-  /** the tab whose work this one begins with: itself before a reload, or the tab that it is a copy of */
+  /** the tab whose session this one starts with: itself before a reload, or the tab that it is a copy of */
   source: string | null;
 }
 
@@ -24,7 +24,7 @@ async function findTab(): Promise<Tab> {
   return { id, source };
 }
 
-/** A browser may refuse its store; then no work comes back after a reload. */
+/** A browser may refuse access to its storage; then no session is restored after a reload. */
 function rememberedId(): string | null {
   try {
     return sessionStorage.getItem(TAB_KEY);
@@ -49,7 +49,7 @@ async function isFree(id: string): Promise<boolean> {
   return false;
 }
 
-/** Takes the lock of a tab for the life of this page; returns whether it was free. Without locks every tab is. */
+/** Takes the lock of a tab for the lifetime of this page; returns whether it was free. Without browser locks it always is. */
 function lock(id: string): Promise<boolean> {
   if (!navigator.locks) return Promise.resolve(true);
   return new Promise((resolve) => {
@@ -60,7 +60,7 @@ function lock(id: string): Promise<boolean> {
   });
 }
 
-/** The tabs that are open now, this one among them. */
+/** The tabs that are currently open, including this one. */
 export async function liveTabs(): Promise<Set<string>> {
   const locks = (await navigator.locks?.query())?.['held'] ?? [];
   const names = locks.map(({ name }) => name ?? '').filter((name) => name.startsWith(PREFIX));

@@ -19,19 +19,19 @@ export const twin = {
   /** draw the original as the optimized body carries it */
   driven: signal(false),
   heat: signal(false),
-  /** measure the noise floor even where the motion then becomes slower than real time */
+  /** measure the noise floor even if the motion then becomes slower than real time */
   alwaysNoise: signal(false),
-  /** simulate the result with what tuning finds for it in the solver of the settings, not as it is */
+  /** simulate the result with its tuned parameters in the solver of the settings */
   wantsTuned: signal(false),
-  /** whoever uses the page does not know in which solver the result will move; counts while the settings name none */
+  /** the user does not know in which solver the result will move; only used while the settings name none */
   isSolverUnknown: signal(false),
   /** whether the model is wanted with settings for all generic solvers */
   wantsGeneric: signal(false),
-  /** null: the pins of the Motion step where there are any */
+  /** null: the pins of the Motion step if there are any */
   chosenPinSource: signal<PinSource | null>(null),
   /** what is on screen; null until a simulation has started */
   frame: signal<TwinFrame | null>(null),
-  /** the latest frame a few times a second, for numbers that are read */
+  /** the latest frame, updated a few times a second, for displayed numbers */
   numbers: signal<TwinFrame | null>(null),
   samples: signal<TwinSample[]>([]),
   /** the largest deviation of any point since the start, % */
@@ -42,7 +42,7 @@ export const twin = {
   failure: signal<string | null>(null),
 };
 
-/** The chosen source of the pins, or the one that fits where there is no choice or there are no pins. */
+/** The chosen source of the pins, or a fitting one if none is chosen or there are no pins. */
 export const pinSource = computed<PinSource>(() => {
   const hasPins = wants.settings.value.pins !== '';
   const { value: chosen } = twin.chosenPinSource;
@@ -50,12 +50,12 @@ export const pinSource = computed<PinSource>(() => {
   return chosen === 'pins' && !hasPins ? 'scenario' : chosen;
 });
 
-/** Whether the result on screen is to be tuned for the Test step. */
+/** Whether the shown result has to be tuned for the Test step. */
 export const isTuningWanted = computed(
   () => view.step.value === 'test' && twin.wantsTuned.value && wants.settings.value.solver !== 'none',
 );
 
-/** The tuning that is simulated; null: the result as it is, also until it has been tuned. */
+/** The simulated tuning; null: the untuned result, also until it has been tuned. */
 export const usedTuning = computed<TunedBody | null>(() => {
   const { value: found } = results.tuned;
   if (!isTuningWanted.value || !found) return null;

@@ -1,6 +1,6 @@
 /**
- * Undo and Redo of what the user wants: the settings, with pins and paint among them, and the kept faces, also of single bodies. One
- * history serves the whole file: a step shows the body again that was shown when the change was made.
+ * Undo and Redo of the user's settings, including pins and paint, and the kept faces, also of single bodies. The whole
+ * file has one undo history: a step shows the body again that was shown when the change was made.
  */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
@@ -19,11 +19,11 @@ interface Wanted {
 }
 
 interface UndoStep extends Wanted {
-  /** the body that was shown when this was changed to what follows it, or back */
+  /** the body that was shown when this was changed to the following state, or back */
   body: number;
 }
 
-/** Changes of one control that follow each other within this time are one, so that a slider is undone as a whole. */
+/** Consecutive changes of one control within this time are merged, so that a slider motion is undone as a whole. */
 const TOGETHER_MILLISECONDS = 700;
 const MAX_STEPS = 200;
 /** Changes of these settings are never joined: each stroke and each pin is undone alone. */
@@ -36,7 +36,7 @@ const NO_CHANGE = { what: '', at: 0, body: 0 };
 let last = NO_CHANGE;
 let show: (body: number) => void = () => {};
 
-/** What can be undone and redone as texts of links, the newest last. */
+/** The undo and redo steps as texts of links, the newest last. */
 export interface UndoText {
   past: string[];
   future: string[];
@@ -45,13 +45,13 @@ export interface UndoText {
 /** Only so many steps survive a reload. */
 const MAX_SAVED = 40;
 
-/** Follows the signals of what can be undone. */
+/** Depends on the signals of everything that can be undone. */
 export function readUndo(): UndoText {
   const texts = (steps: UndoStep[]): string[] => steps.slice(-MAX_SAVED).map(textOf);
   return { past: texts(past.value), future: texts(future.value) };
 }
 
-/** The texts are kept with the steps, as paint makes them long and every change saves them all. */
+/** The texts are kept with the steps, because paint makes them long and every change saves all of them. */
 const textOfStep = new WeakMap<UndoStep, string>();
 
 function textOf(step: UndoStep): string {
@@ -60,7 +60,7 @@ function textOf(step: UndoStep): string {
   return text;
 }
 
-/** Call this once the files that the steps are for are open. */
+/** Must be called once the files of the steps are open. */
 export function restoreUndo(saved: UndoText): void {
   const none = { settings: defaultSettings(), faces: null, own: new Map(), body: 0 };
   const steps = (texts: string[]): UndoStep[] => texts.map((text) => readLink(text) ?? none);
@@ -73,7 +73,7 @@ export function restoreUndo(saved: UndoText): void {
 export const canUndo = () => past.value.length > 0;
 export const canRedo = () => future.value.length > 0;
 
-/** Starts to record changes. `showBody` shows the body of a step that is taken back or made again. */
+/** Starts to record changes. `showBody` shows the body of a step that is undone or redone. */
 export function startUndo(showBody: (body: number) => void): void {
   show = showBody;
   effect(() => {
@@ -82,7 +82,7 @@ export function startUndo(showBody: (body: number) => void): void {
   });
 }
 
-/** Forgets all changes, as they do not fit another file. */
+/** Forgets all changes, because they do not fit another file. */
 export function forgetUndo(): void {
   batch(() => {
     past.value = [];
@@ -111,17 +111,17 @@ function step(from: typeof past, to: typeof past): void {
   });
 }
 
-/** A text that was refused is no part of what is shown now, unless the pins are that text: then nothing else tells that they are. */
+/** A refused text is not part of the current state, unless the pins are that text: then nothing else shows that it was refused. */
 function forgetRefusals({ pins }: Settings): void {
   if (status.refusedPins.value?.text !== pins) status.refusedPins.value = null;
   refusedLock.value = null;
 }
 
-/** Changes within `make` are not the user's: they become part of the change before them, which is dropped where they take it back. */
+/** Changes within `make` are not the user's: they become part of the previous change, which is dropped if they revert it. */
 export function withoutUndo(make: () => void): void {
   batch(() => {
     make();
-    // What is recorded once the batch has ended is then no change.
+    // The state recorded at the end of the batch then does not count as a change.
     present = currentWants();
     const before = past.value.at(-1);
     if (!before || differing(before, present).length > 0) return;

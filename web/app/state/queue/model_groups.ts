@@ -1,4 +1,4 @@
-/** Which of the files that were opened together are one model with its companions, and which are models of their own. */
+/** Groups files that were opened together into models with their companion files. */
 
 import { isModelName } from '../../../engine/document/format_names';
 import type { SourceFile } from '../../../engine/document/open';
@@ -27,13 +27,13 @@ export function modelGroups(files: readonly SourceFile[]): ModelGroup[] {
   });
 }
 
-/** What a result of a model of this name is called: "bar-limber", and "bar-limber-2" where the model is such a result itself. */
+/** The name of the result of a model: "bar-limber", and "bar-limber-2" if the model is such a result itself. */
 export function suffixedName(name: string): string {
   const [, stem, number] = /^(.*)-limber(?:-(\d+))?$/.exec(name) ?? [];
   return stem === undefined ? `${name}-limber` : `${stem}-limber-${Number(number ?? 1) + 1}`;
 }
 
-/** `name` with another ending, as no earlier one of `taken`: "a-limber.glb", "a-limber-2.glb". It is added to `taken`. */
+/** `name` with another ending, made unique among `taken`: "a-limber.glb", "a-limber-2.glb". Adds it to `taken`. */
 export function freeName(name: string, ending: string, taken: Set<string>): string {
   let free = suffixedName(name.replace(/\.[^./]+$/, ''));
   while (taken.has(free)) free = suffixedName(free);

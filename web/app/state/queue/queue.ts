@@ -1,4 +1,4 @@
-/** Several models, one after the other with one setting, in a worker of their own: the page stays free for the one that is shown. */
+/** Optimizes several models, one after the other with the same settings, in a worker of their own: the page stays responsive for the shown model. */
 
 import { signal } from '@preact/signals';
 import { fileDefaults } from '../../../engine/settings/options';
@@ -27,13 +27,13 @@ export interface Queue {
   seconds: number;
 }
 
-/** null where no several models were opened. */
+/** null unless several models were opened. */
 export const queue = signal<Queue | null>(null);
 
-/** ms between two looks at the clock. */
+/** ms between two checks of the clock. */
 const TICK_MILLISECONDS = 500;
 
-/** What every model is asked for. */
+/** The request for every model. */
 interface Asked {
   settings: Settings;
   kept: KeptFaces;
@@ -42,7 +42,7 @@ interface Asked {
 
 let client: Client | null = null;
 
-/** Lines models up; a queue that was there before ends. */
+/** Queues models; ends an earlier queue. */
 export function fillQueue(groups: readonly ModelGroup[]): void {
   cancelQueue();
   const items = groups.map((group): QueueItem => ({
@@ -54,7 +54,7 @@ export function fillQueue(groups: readonly ModelGroup[]): void {
   queue.value = { items, isRunning: false, seconds: 0 };
 }
 
-/** Whether these files are a model of the queue. */
+/** Whether these files belong to a model of the queue. */
 export const isLinedUp = (files: SourceFile[]): boolean =>
   queue.value?.items.some((item) => item.files === files) ?? false;
 
@@ -63,7 +63,7 @@ export function closeQueue(): void {
   queue.value = null;
 }
 
-/** What is finished stays finished. */
+/** Finished results are kept. */
 export function cancelQueue(): void {
   const own = client;
   client = null;
@@ -75,7 +75,7 @@ export function cancelQueue(): void {
   queue.value = { ...queue.value, items, isRunning: false };
 }
 
-/** What the settings say now; those that name parts of one file are left out. */
+/** The current settings, without those that refer to parts of one file. */
 function askedNow(): Asked {
   const { wanted, faces } = slider.value;
   const ratio = faces > 0 ? Math.min(1, wanted / faces) : undefined;
@@ -86,7 +86,7 @@ function askedNow(): Asked {
   };
 }
 
-/** Works on every model anew. A model that cannot be used fails alone. */
+/** Processes every model again. A model that cannot be used does not affect the others. */
 export async function runQueue(): Promise<void> {
   if (!queue.value || queue.value.isRunning) return;
   const asked = askedNow();
@@ -137,7 +137,7 @@ async function runItem(own: Client, i: number, asked: Asked, taken: Set<string>)
 const exportNow = (own: Client, { settings, kept }: Asked, request: ExportRequest): Promise<ExportResult> =>
   own.call<ExportResult>((worker) => worker.export(settings, kept, request));
 
-/** `output`: with its folders, which the files beside it share. */
+/** `output`: with its folders, which its companion files share. */
 function finishedOf(output: string, exported: ExportResult): Finished {
   const { files, levels, binding, settings, report, faces } = exported;
   const folder = output.slice(0, output.lastIndexOf('/') + 1);

@@ -1,22 +1,22 @@
-/** What has become of the models of a queue: in words, and as a table for the archive. */
+/** The results of the models of a queue: in words, and as a table for the archive. */
 
 import { cell } from '../../../engine/report/tables/csv_cell';
 import type { SourceFile } from '../../../engine/document/open';
 import { listed, say } from '../../language/say';
 import { describeLeft } from '../remaining';
 
-/** A model that is done. */
+/** A finished model. */
 export interface Finished {
   /** name of its file in the archive */
   output: string;
   faces: { before: number; after: number };
   /** largest distance from the original, % of the diagonal */
   deviation: number;
-  /** why it has no fewer faces: a word of the report's `stop`; null where it has as few as asked for */
+  /** why it does not have fewer faces: a value of the report's `stop`; null if it has as few as requested */
   stop: string | null;
   /** of its file */
   bytes: number;
-  /** all that is saved of it */
+  /** all of its files that are saved */
   files: SourceFile[];
 }
 
@@ -27,7 +27,7 @@ interface Counted {
 
 const bytesOf = ({ files }: Counted): number => files.reduce((sum, { bytes }) => sum + bytes.length, 0);
 
-/** "3 of 12, 40 s left": the time by the bytes that are done. */
+/** "3 of 12, 40 s left": the time is estimated from the processed bytes. */
 export function describeProgress(items: readonly Counted[], seconds: number): string {
   const finished = items.filter(({ state }) => state === 'done' || state === 'failed');
   const number = Math.min(items.length, finished.length + 1);

@@ -1,4 +1,4 @@
-/** What samples bring along besides their mesh, by the names of their files, so that they move as their cards say. */
+/** The settings of samples, by the names of their files, so that they move as their cards say. */
 
 import { MATERIALS } from '../../../engine/settings/materials';
 import { defaultSettings, modelDefaults } from '../../../engine/settings/options';
@@ -10,11 +10,11 @@ const CORNERS = 'vertices:0,1,33,31,32,65';
 
 const BROUGHT: Readonly<Record<string, Partial<Settings>>> = {
   'cloth.glb': { ...MATERIALS.cotton, pins: CORNERS, scenario: 'hang' },
-  // A twist turns its spire alone.
+  // A twist rotates only its spire.
   'tower.glb': { scenario: 'sway' },
 };
 
-/** What is wanted of a sample that brings settings along, where `settings` are those before it; undefined for others. */
+/** The request for a sample with its own settings, applied to `settings`, those of before; undefined for other samples. */
 export function wantedOfSample(file: string, settings: Settings): Wanted | undefined {
   const brought = BROUGHT[file];
   if (!brought) return undefined;
@@ -22,7 +22,7 @@ export function wantedOfSample(file: string, settings: Settings): Wanted | undef
   return { settings: own, faces: null, own: new Map(), body: 0, file: null };
 }
 
-/** The defaults of what the sample of this name has brought along and nobody has changed since, for the model after it. */
+/** The defaults, for the next model, of settings that the sample of this name has set and nobody has changed since. */
 export function afterSample(file: string | undefined, settings: Settings): Partial<Settings> {
   const brought = BROUGHT[file ?? ''] ?? {};
   const defaults = defaultSettings();

@@ -1,4 +1,4 @@
-/** The page's tasks, and keys for them: those of the stages behind them, for the file and the body that are shown. */
+/** The page's tasks, and their keys: those of the underlying stages, for the shown file and body. */
 
 import type { Signal } from '@preact/signals';
 import type { Settings } from '../../../engine/settings/options';
@@ -8,28 +8,28 @@ import { isHistoryStale, results, wants } from '../store';
 
 /** One call of the worker whose result the page shows. */
 export interface Task {
-  /** what the progress line says */
+  /** the text of the progress line */
   what: string;
   /** equal keys lead to equal results; null: the result is not needed now */
   key(): string | null;
   run(): Promise<unknown>;
   result: Signal<unknown>;
-  /** any other task goes before it, and stops it where it runs */
+  /** any other task has priority over it, and stops it while it runs */
   isPatient?: boolean;
-  /** whether any task that is neither late nor patient goes before it */
+  /** whether any task that is neither late nor patient has priority over it */
   isLate?(): boolean;
   /** its result is the same for every body of the file */
   isOfFile?: boolean;
-  /** takes back the question after a failure: where the user asks again, the task runs again with the same key */
+  /** withdraws the request after a failure: if the user repeats it, the task runs again with the same key */
   giveUp?(): void;
 }
 
 /** null: the task is not needed now */
 type Key = () => string | null;
 
-/** A stage that the settings alone decide about: the page asks for whole histories. */
+/** A stage that only depends on the settings: the page requests whole histories. */
 export type SettingsStage = Stage<unknown, keyof Settings | 'fewestFaces'>;
-/** A stage that a number of faces may decide about as well. */
+/** A stage that may also depend on a number of faces. */
 export type LevelStage = Stage<unknown, keyof Settings | 'fewestFaces' | 'targetFaces'>;
 
 export const of = (stage: SettingsStage) => (): string => keyOf(stage, wants.settings.value);
@@ -55,7 +55,7 @@ export const afterBody =
   () =>
     results.body.value ? keyed(make)() : null;
 
-/** The same once the body has the history of the settings: nothing is made of an earlier one. */
+/** The same once the body has the history of the current settings: no result is made from an earlier one. */
 export const afterHistory =
   (make: () => string): Key =>
   () =>

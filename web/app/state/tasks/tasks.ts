@@ -1,4 +1,4 @@
-/** The tasks of the page, in their order, and when each of them is needed. */
+/** The tasks of the page, in order, and the conditions under which they are needed. */
 
 import { effect, signal } from '@preact/signals';
 import { faceCount } from '../../../engine/core/mesh';
@@ -31,17 +31,17 @@ const REST_MILLISECONDS = 180;
 const settings = () => wants.settings.value;
 const body = () => wants.body.value;
 
-/** The wanted faces as they were when the slider last rested. */
+/** The wanted faces when the slider last rested. */
 const restedFaces = signal(0);
 
-/** Whether results are looked at. */
+/** Whether results are displayed. */
 const isReducing = (): boolean =>
   view.step.value === 'reduce' || view.step.value === 'test' || wants.exportOpen.value;
 
 const areSeveral = (): boolean => (results.file.value?.bodies.length ?? 0) > 1;
 const sharesNow = (): string => sharesKey(settings(), keptFaces.value);
 
-/** Whether the slider moves: the processor is left to the replay of the history then. */
+/** Whether the slider moves: the processor is then left to the replay of the history. */
 const isSliding = (): boolean => restedFaces.value !== wantedFaces.value;
 
 /** The key of a stage that waits until the slider rests on a mesh that is shown; see replay.ts. */
@@ -50,17 +50,17 @@ const atRest = (stage: LevelStage) => (): string | null =>
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
 
-/** Whether the first result is looked for; what is no part of it waits. */
+/** Whether the first result is being computed; everything else waits. */
 const isResultAwaited = (): boolean => isReducing() && results.metrics.value === null;
 
-/** Whether the file looks like its only body without materials. */
+/** Whether the file would look like its only body drawn without materials. */
 function isBare(): boolean {
   const { bodies, contents } = results.file.value!;
   const { vertexColours, materials, animations } = contents;
   return bodies.length === 1 && !vertexColours && materials + animations === 0;
 }
 
-/** In the order in which they run, but for those that are late. */
+/** In the order in which they run, except for late ones. */
 export const tasks: Task[] = [
   {
     what: 'Reading the mesh',
@@ -223,7 +223,7 @@ const isMarkingWanted = (): boolean =>
 const isStoppable = (): boolean =>
   client.canStop || (results.history.value?.faces ?? 0) <= MAX_FACES_UNSTOPPABLE;
 
-/** Follows the slider from now on: its faces are asked for once it has rested. */
+/** From now on, follows the slider: its faces are requested once it rests. */
 export function startResting(): void {
   effect(() => {
     const faces = wantedFaces.value;

@@ -1,6 +1,6 @@
 /**
- * Keeps what is done to each file, so that it comes back when the file is opened again. A tab reads it only as it opens a file, so that
- * tabs with the same file open do not change each other's work; what was done last is kept.
+ * Stores the work on each file, so that it is restored when the file is opened again. A tab only reads it when it opens
+ * a file, so that tabs with the same file do not affect each other; the last change wins.
  */
 
 import { batch, effect } from '@preact/signals';
@@ -14,9 +14,9 @@ import { forgetWork, keepWork, readWork } from './kept_work';
 interface OpenWork {
   /** of the file, see contentKey */
   key: string;
-  /** what is wanted of it where nothing was done to it */
+  /** its settings before any work on it */
   fresh: Wanted;
-  /** what has been done as it was last kept or read, see `doneText` */
+  /** the work as it was last stored or read, see `doneText` */
   last: string;
 }
 
@@ -24,7 +24,7 @@ const REST_MILLISECONDS = 400;
 
 let open: OpenWork | null = null;
 
-/** Starts to keep what is done. */
+/** Starts to store the work. */
 export function startKeepingWork(): void {
   effect(() => {
     readWants();
@@ -43,7 +43,7 @@ const readWants = (): Wanted => ({
   file: null,
 });
 
-/** What has been done to a file as a text: which of its bodies is shown and how its user likes results written is no part of it. */
+/** The work on a file as a text, without the shown body and the user's preferences for the written format. */
 const doneText = (wanted: Wanted): string => workText({ ...wanted, body: 0 });
 
 const workText = (wanted: Wanted): string =>
@@ -59,19 +59,20 @@ function save(): void {
     if (done === doneText(open.fresh)) forgetWork(localStorage, open.key);
     else keepWork(localStorage, open.key, { link: workText(wanted), at: Date.now() });
   } catch {
-    // The browser refuses its store.
+    // The browser refuses access to its storage.
   }
 }
 
-/** Keeps what was done to the file that is about to be replaced. */
+/** Stores the work on the file that is about to be replaced. */
 export function endWork(): void {
   save();
   open = null;
 }
 
 /**
- * What was done to the file of this key before, where it is to be shown anew as `fresh`; null where nothing is kept. Where the file is one
- * of several with one setting (`isLinedUp`) only what names parts of it comes back.
+ * The earlier work on the file of this key, applied to its initial settings `fresh`; null if nothing is stored. If the
+ * file is part of a queue with common settings (`isLinedUp`), only settings that refer to parts of the file are
+ * restored.
  */
 export function workBefore(key: string | null, fresh: Wanted, isLinedUp: boolean): Wanted | null {
   const kept = key === null ? null : readKept(key);
@@ -90,7 +91,7 @@ function readKept(key: string): Wanted | null {
   }
 }
 
-/** Follows what is done to the file that has just been opened. `isKept`: whether it is shown with what was done before. */
+/** Records the work on the file that has just been opened. `isKept`: whether it is shown with its earlier work. */
 export function beginWork(
   key: string | null,
   { fresh, name, isKept }: { fresh: Wanted; name: string; isKept: boolean },
@@ -104,7 +105,7 @@ export function beginWork(
   };
 }
 
-/** One step of Undo brings back what was done. */
+/** One step of Undo restores the earlier work. */
 function startAnew({ settings, faces, own }: Wanted): void {
   batch(() => {
     wants.settings.value = withPerson(settings, wants.settings.value);

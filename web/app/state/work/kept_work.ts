@@ -1,4 +1,4 @@
-/** What was done to files, each as the text of a link by the content of the file. It is checked when it is read, as it may be damaged. */
+/** The stored work on files, each as the text of a link, keyed by the content of the file. It is checked when read, because it may be damaged. */
 
 import type { SourceFile } from '../../../engine/document/open';
 import { readLink } from '../link';
@@ -13,7 +13,7 @@ const MAX_CHARACTERS = 1e6;
 /** In bytes; the work on larger files is not kept. */
 const LARGEST = 400e6;
 
-/** Names files by their bytes, whatever they are called; null where they are too large, or the browser finds no digest. Never throws. */
+/** A key for files from their bytes, independent of their names; null if they are too large or the browser cannot compute a digest. Never throws. */
 export async function contentKey(files: readonly SourceFile[]): Promise<string | null> {
   if (files.length === 0 || files.reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST) return null;
   try {
@@ -30,7 +30,7 @@ async function digestOf(bytes: Uint8Array): Promise<string> {
   return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-/** What was done to the file of this key; null where nothing is kept. */
+/** The work on the file of this key; null if nothing is stored. */
 export function readWork(store: Store, key: string): Wanted | null {
   try {
     return readLink(entryOf(store, PREFIX + key).link);
@@ -41,7 +41,7 @@ export function readWork(store: Store, key: string): Wanted | null {
 
 export const forgetWork = (store: Store, key: string): void => store.removeItem(PREFIX + key);
 
-/** Keeps the text of a link; the work on files that were worked on the longest ago gives way. `at`: ms since 1970. */
+/** Stores the text of a link; the least recently used work is evicted. `at`: ms since 1970. */
 export function keepWork(store: Store, key: string, { link, at }: { link: string; at: number }): void {
   forgetWork(store, key);
   if (link.length > MAX_CHARACTERS) return;
@@ -75,7 +75,7 @@ function othersByAge(store: Store): { name: string; at: number; size: number }[]
   return entries.sort((a, b) => b.at - a.at);
 }
 
-/** An entry that cannot be read is empty and old. */
+/** An entry that cannot be read counts as empty and old. */
 function entryOf(store: Store, name: string): { at: number; link: string } {
   try {
     const entry = JSON.parse(store.getItem(name) ?? '') as { at?: unknown; link?: unknown };
