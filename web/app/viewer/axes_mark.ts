@@ -31,7 +31,7 @@ export class AxesMark {
     }
   }
 
-  /** Draws at the lower left of the canvas, as the viewer sees it; `toMesh`: how the scene is turned for the camera. */
+  /** Draws at the lower left of the canvas, as seen from the camera; `toMesh`: the rotation of the scene for the camera. */
   draw(renderer: THREE.WebGLRenderer, camera: THREE.Camera, toMesh: THREE.Quaternion): void {
     this.camera.quaternion.copy(toMesh.clone().invert().multiply(camera.quaternion));
     this.camera.position.set(0, 0, 5).applyQuaternion(this.camera.quaternion);
@@ -55,7 +55,7 @@ function letterTexture(letter: string, colour: string): THREE.CanvasTexture {
   }
   const texture = new THREE.CanvasTexture(canvas);
   texture.colorSpace = THREE.SRGBColorSpace;
-  // Otherwise the edges of letters are mixed with the black around them.
+  // Otherwise the edges of letters blend with the black around them.
   texture.premultiplyAlpha = true;
   return texture;
 }

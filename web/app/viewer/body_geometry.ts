@@ -48,7 +48,7 @@ export function setField(geometry: BufferGeometry, mesh: TriangleMesh, field: Fi
   geometry.setAttribute('value', new BufferAttribute(values, 1));
 }
 
-/** Shows what a brush has painted, per vertex; null: nothing. The attribute is (how much is kept, whether it is locked). */
+/** Shows the paint of a brush, per vertex; null: none. The attribute is (keep level, whether it is locked). */
 export function setPaint(geometry: BufferGeometry, { triangles }: TriangleMesh, levels: Levels | null): void {
   if (!levels) {
     geometry.deleteAttribute('paint');

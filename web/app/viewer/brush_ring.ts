@@ -2,7 +2,7 @@
 
 import { BufferGeometry, LineBasicMaterial, LineLoop, Quaternion, Vector3 } from 'three';
 
-/** Where the brush touches the surface, in units of the mesh. */
+/** The position where the brush touches the surface, in units of the mesh. */
 export interface BrushMark {
   point: Vector3;
   normal: Vector3;
@@ -21,7 +21,7 @@ export class BrushRing {
       const angle = (2 * Math.PI * i) / CORNERS;
       return new Vector3(Math.cos(angle), Math.sin(angle), 0);
     });
-    // The ring is drawn over everything: a curved surface would hide half of it.
+    // The ring is drawn on top of everything: a curved surface would hide half of it.
     const material = new LineBasicMaterial({ depthTest: false, transparent: true });
     this.line = new LineLoop(new BufferGeometry().setFromPoints(circle), material);
     this.line.frustumCulled = false;

@@ -1,11 +1,11 @@
-/** Draws what bodies can touch: a floor, balls and capsules. */
+/** Draws the collision scene: a floor, balls and capsules. */
 
 import * as THREE from 'three';
 import type { Collider, CollisionScene } from '../../engine/core/core';
 
 /** In units of the mesh. */
 export interface ShownCollisionScene extends CollisionScene {
-  /** the height that a body will hang down to; null: not below where it stands */
+  /** the height down to which a body will hang; null: not below its rest position */
   lowest: number | null;
   /** of the bounding box of the body */
   centre: number[];
@@ -49,7 +49,7 @@ const floorFragment = /* glsl */ `
 export class CollisionSceneView {
   readonly group = new THREE.Group();
 
-  /** Replaces what is shown; null shows nothing. */
+  /** Replaces the shown scene; null shows nothing. */
   show(scene: ShownCollisionScene | null, look: CollisionSceneLook): void {
     for (const child of [...this.group.children]) {
       this.group.remove(child);
@@ -80,7 +80,7 @@ export class CollisionSceneView {
       },
     });
     const floor = new THREE.Mesh(new THREE.CircleGeometry(radius, 64).rotateX(-Math.PI / 2), material);
-    // The floor is drawn a little too low, so that it does not cut what rests on it.
+    // The floor is drawn slightly too low, so that it does not intersect bodies that rest on it.
     floor.position.set(centre[0], height - 0.004 * diagonal, centre[2]);
     this.group.add(floor);
   }
@@ -93,7 +93,7 @@ export class CollisionSceneView {
 
   private addCollider({ from, to, radius }: Collider, look: CollisionSceneLook): void {
     const [a, b] = [new THREE.Vector3(...from), new THREE.Vector3(...to)];
-    // A collider is drawn a little too small: flat triangles that lie on it would cut through its round surface.
+    // A collider is drawn slightly too small: flat triangles that lie on it would cut through its round surface.
     const geometry = new THREE.CapsuleGeometry(0.97 * radius, a.distanceTo(b), 16, 48);
     const body = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color: look.body }));
     body.position.copy(a).add(b).multiplyScalar(0.5);
@@ -103,7 +103,7 @@ export class CollisionSceneView {
   }
 }
 
-/** Points that a picture of the scene has to contain. */
+/** Points that the camera must include to show the whole scene. */
 export function pointsToShow({ ground, lowest, colliders, centre }: ShownCollisionScene): THREE.Vector3[] {
   const ends = colliders.flatMap(({ from, to, radius }) =>
     [from, to].flatMap((end) =>

@@ -1,4 +1,4 @@
-/** Round dots of fixed size over the surface, one for each marked vertex. */
+/** Round dots of fixed screen size over the surface, one for each marked vertex. */
 
 import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -9,7 +9,7 @@ const vertexShader = /* glsl */ `
   attribute vec3 displacement;
   void main() {
     vec3 viewPosition = (modelViewMatrix * vec4(position + amplitude * displacement, 1.0)).xyz;
-    // Dots lie a little nearer to the eye, so that the surface around the vertex does not cut them.
+    // Dots are moved slightly towards the camera, so that the surface around the vertex does not intersect them.
     gl_Position = projectionMatrix * vec4(0.985 * viewPosition, 1.0);
     gl_PointSize = size;
   }
@@ -33,7 +33,7 @@ export interface DotLook {
   rim: string;
 }
 
-/** In lower pictures dots are smaller, as they would hide the body. CSS pixels. */
+/** In pictures of less height dots are smaller, because they would hide the body. CSS pixels. */
 const FULL_HEIGHT = 300;
 const SMALLEST = 0.5;
 
@@ -97,7 +97,7 @@ export class Dots {
   }
 }
 
-/** Diameter and rim in CSS pixels. Many dots are small and have no rim, as it would hide their neighbours. */
+/** Diameter and rim in CSS pixels. If there are many, dots are small and have no rim, which would hide their neighbours. */
 function inPixels(count: number): [number, number] {
   if (count <= 40) return [10, 1.5];
   if (count <= 150) return [7, 1];

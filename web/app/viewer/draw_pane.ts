@@ -4,7 +4,7 @@ import type * as THREE from 'three';
 import type { Pane } from './pane';
 import type { PaneRegion } from './pane_layout';
 
-/** Draws a pane; an overlay lies over what is drawn already. */
+/** Draws a pane; an overlay is drawn on top of the existing picture. */
 export function drawPane(
   renderer: THREE.WebGLRenderer,
   camera: THREE.Camera,
@@ -14,7 +14,7 @@ export function drawPane(
   renderer.setViewport(...picture);
   renderer.setScissor(...visible);
   pane.dots.fit(picture[3]);
-  // The body below does not hide an overlay.
+  // The body below must not hide an overlay.
   if (isOverlay) {
     renderer.clearDepth();
     pane.drawDepth(() => renderer.render(pane.scene, camera));

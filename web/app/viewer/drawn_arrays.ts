@@ -1,4 +1,4 @@
-/** What the viewport draws of a mesh, as arrays: large meshes are prepared in a worker, see prepared_arrays.ts. */
+/** The arrays that the viewport draws for a mesh; large meshes are prepared in a worker, see prepared_arrays.ts. */
 
 import type { TriangleMesh } from '../../engine/core/core';
 import { cornerNormals } from '../../engine/document/shading/normals';
@@ -8,14 +8,14 @@ import { isLarge } from './twin_surface';
 export interface DrawnArrays {
   /** positions[3 * corner + c] */
   positions: Float32Array;
-  /** unit normals[3 * corner + c]; null: the shader finds them */
+  /** unit normals[3 * corner + c]; null: the shader computes them */
   normals: Float32Array | null;
-  /** per corner: the lowest corner that shares its normal, see CornerNormals; empty without normals, and while they are quick */
+  /** per corner: the lowest corner that shares its normal, see CornerNormals; empty without normals, and with those of `quickArrays` */
   groups: Uint32Array;
   /** lowest and highest coordinates; infinite for a mesh without vertices */
   low: [number, number, number];
   high: [number, number, number];
-  /** whether `drawnArrays` finds better normals */
+  /** whether `drawnArrays` computes better normals */
   isQuick: boolean;
 }
 
@@ -46,7 +46,7 @@ export function drawnArrays(mesh: TriangleMesh): DrawnArrays {
   return { positions, normals: spread, groups: group, ...box, isQuick: false };
 }
 
-/** The same in a tenth of the time, with normals that are good enough while the slider moves. */
+/** The same in a tenth of the time, with normals that suffice while the slider moves. */
 export function quickArrays(mesh: TriangleMesh): DrawnArrays {
   if (isLarge(mesh)) return drawnArrays(mesh);
   const positions = perCorner(mesh, mesh.positions, 3);
@@ -54,7 +54,7 @@ export function quickArrays(mesh: TriangleMesh): DrawnArrays {
   return { positions, normals, groups: new Uint32Array(), ...boundsOf(mesh), isQuick: true };
 }
 
-/** Of the vertices that triangles use. */
+/** Bounds of the vertices that triangles use. */
 function boundsOf({ positions, triangles }: TriangleMesh): Pick<DrawnArrays, 'low' | 'high'> {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];

@@ -1,4 +1,4 @@
-/** Prepares what is drawn of large meshes, away from the main thread of the page. */
+/** Prepares the drawn arrays of large meshes off the main thread of the page. */
 
 import type { TriangleMesh } from '../../engine/core/core';
 import { drawnArrays, quickArrays } from './drawn_arrays';

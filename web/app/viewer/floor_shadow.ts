@@ -1,24 +1,24 @@
-/** A soft shadow on a floor, as if light came from everywhere above: what is near the floor darkens it more. */
+/** A soft shadow on a floor, as if light came from everywhere above: parts near the floor darken it more. */
 
 export interface ShadowArea {
-  /** x, y, z of the middle of the floor */
+  /** x, y, z of the centre of the floor */
   centre: readonly [number, number, number];
   /** length of a side of the square that the picture covers */
   side: number;
-  /** height above the floor at which nothing darkens it any more */
+  /** height above the floor from which nothing darkens it */
   top: number;
 }
 
 export const SHADOW_SIZE = 96;
-/** Passes of a mean over neighbours; three are close to a bell curve. */
+/** Passes of a box filter; three are close to a Gaussian. */
 const PASSES = 3;
-/** Cells to both sides. */
+/** Radius of the filter in cells. */
 const RADIUS = 3;
 const DARKEST = 0.3;
 
 /**
- * How dark the floor is, 0..1, `shadow[row * SHADOW_SIZE + column]`, with columns along x and rows along z. `points[3 i + c]` are
- * spread over what stands on the floor, in the space of the scene.
+ * The darkness of the floor, 0..1, `shadow[row * SHADOW_SIZE + column]`, with columns along x and rows along z.
+ * `points[3 i + c]` are spread over the objects on the floor, in the space of the scene.
  */
 export function floorShadow(points: Float32Array, area: ShadowArea): Float32Array {
   let shadow = scatter(points, area);

@@ -1,9 +1,9 @@
-/** Keeps in the picture what was in it: where the picture becomes narrower, and where a body moves out of it. */
+/** Keeps the view framed when the picture becomes narrower, and when a body moves out of it. */
 
 import { Vector3 } from 'three';
 import type { OrbitCamera } from './orbit_camera';
 
-/** The share of half the picture that what is shown fills at most, where the eye has to step back for it. */
+/** The largest fraction of half the picture that the content fills when the camera has to move back for it. */
 const FILL = 0.9;
 /** A body that moves farther than this many times the distance is let go. */
 const MAX_FOR_MOTION = 3;
@@ -11,14 +11,14 @@ const MAX_FOR_MOTION = 3;
 const SAMPLES = 400;
 
 export class FrameKeeper {
-  /** how far moving bodies may spread; null: as far as the body at rest, which is still to be looked at */
+  /** the extent of moving bodies; null: that of the body at rest, not yet computed */
   private motionLimit: number | null = null;
 
   constructor(private readonly orbit: OrbitCamera) {}
 
   /**
-   * Calls `change`, which may make the picture narrower, and moves the eye back so far that what it showed from side to side stays in
-   * it, and forth again where it becomes wider. `corners`: around what is shown at rest.
+   * Calls `change`, which may make the picture narrower, and moves the camera back so far that its previous horizontal
+   * range stays in the picture, and forward again when it becomes wider. `corners`: of the bounding box at rest.
    */
   keepWidth(corners: readonly Vector3[], change: () => void): void {
     const { orbit } = this;
@@ -30,7 +30,7 @@ export class FrameKeeper {
     orbit.stepBack('width', Math.max(1, (orbit.factors.width * before * ratio) / Math.max(FILL, before)));
   }
 
-  /** Moves the eye back where bodies at these positions, `[3 v + c]`, reach out of the picture, unless the user has chosen what is in it. */
+  /** Moves the camera back if bodies at these positions, `[3 v + c]`, extend beyond the picture, unless the user has framed the view. */
   keepMotion(corners: readonly Vector3[], bodies: readonly Float32Array[]): void {
     const { orbit } = this;
     if (this.motionLimit === null) this.beginMotion(Math.max(1, spreadOf(orbit, corners)));
@@ -47,14 +47,14 @@ export class FrameKeeper {
     this.orbit.isFramedByUser = false;
   }
 
-  /** Nothing moves any more: the eye goes back to where it was. */
+  /** Nothing moves any more: the camera returns to its previous distance. */
   endMotion(): void {
     this.motionLimit = null;
     if (this.orbit.isFramedByUser) this.orbit.forgetFactor('motion');
     else this.orbit.stepBack('motion', 1);
   }
 
-  /** The camera is turned to all that is shown. */
+  /** The camera has been framed on the whole content. */
   fitted(): void {
     if (this.motionLimit !== null) this.motionLimit = 1;
     this.orbit.isFramedByUser = false;

@@ -1,4 +1,4 @@
-/** The pictures that looks are made of, drawn when they are first needed. */
+/** The textures of looks, drawn when first needed. */
 
 import { CanvasTexture, RepeatWrapping, SRGBColorSpace } from 'three';
 
@@ -38,7 +38,7 @@ export function matcapTexture(): CanvasTexture {
 const CELLS = 8;
 const SIZE = 512;
 
-/** A board of lettered cells, so that turned and mirrored places can be told from right ones. */
+/** A board of lettered cells, in which rotated and mirrored UVs can be recognised. */
 export function checkerTexture(): CanvasTexture {
   if (checker) return checker;
   checker = drawn(SIZE, (context) => {

@@ -1,4 +1,4 @@
-/** The camera that all panes share, and how the pointer moves it. */
+/** The camera that all panes share, and its pointer control. */
 
 import CameraControls from 'camera-controls';
 import * as THREE from 'three';
@@ -7,21 +7,21 @@ CameraControls.install({ THREE });
 
 /** From the body towards the eye, before it is normalised. */
 const DIRECTION: [number, number, number] = [0.75, 0.42, 1];
-/** The share of the picture's height and width that a body fills, at most. */
+/** The largest fraction of the picture's height and width that a body fills. */
 const FILL = 0.8;
-/** Farther away than this many radii a body would be a dot, and then nothing. */
+/** The largest distance in radii: farther away a body would shrink to a dot. */
 const FARTHEST = 40;
 
-/** Points behind the eye count as if they were so near before it. */
+/** Points behind the camera count as if they were this close in front of it. */
 const NEAREST = 1e-9;
 
-/** Why the eye is farther away: the picture has become narrower, or a body moves out of it. */
+/** Reasons for a larger distance: the picture has become narrower, or a body moves out of it. */
 type Reason = 'width' | 'motion';
 
 export class OrbitCamera {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
   private readonly controls: CameraControls;
-  /** how much farther away the eye is than the user has put it */
+  /** factors on the distance that the user has chosen */
   readonly factors: Record<Reason, number> = { width: 1, motion: 1 };
   /** whether the user has zoomed or moved the picture since the last `fit` */
   isFramedByUser = false;
@@ -40,7 +40,7 @@ export class OrbitCamera {
     return this.controls.update(seconds);
   }
 
-  /** Whether the user's hand turns the view, which leaves it framed as it was. */
+  /** Whether the user is rotating the view, which does not change its framing. */
   private isTurning(): boolean {
     const { ROTATE, TOUCH_ROTATE } = CameraControls.ACTION;
     return ([ROTATE, TOUCH_ROTATE] as number[]).includes(this.controls.currentAction);
@@ -51,30 +51,30 @@ export class OrbitCamera {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Turns the eye around the body, in radians. */
+  /** Rotates the camera around the body, in radians. */
   rotate(azimuth: number, polar: number): void {
     void this.controls.rotate(azimuth, polar, true);
   }
 
-  /** Moves what is looked at, in shares of its distance. */
+  /** Moves the orbit centre, in fractions of its distance. */
   slide(right: number, down: number): void {
     const { distance } = this.controls;
     this.isFramedByUser = true;
     void this.controls.truck(right * distance, down * distance, true);
   }
 
-  /** Comes nearer by a factor; below 1 it goes away. */
+  /** Moves closer by a factor; below 1 away. */
   zoom(factor: number): void {
     this.isFramedByUser = true;
     void this.controls.dollyTo(this.controls.distance / factor, true);
   }
 
-  /** Tells the controls which part of the canvas the pointer works in, so that zooming goes to the cursor. */
+  /** Tells the controls in which part of the canvas the pointer is, so that zooming is centred on the cursor. */
   setPointerRegion(left: number, width: number, height: number): void {
     this.controls.setViewport(left, 0, width, height);
   }
 
-  /** Turns what is up, left and in front; the next `fit` looks from there. */
+  /** Sets the orientation of up, left and front; the next `fit` looks from there. */
   setRotation(rotation: THREE.Quaternion): void {
     if (this.rotation.equals(rotation)) return;
     this.rotation.copy(rotation);
@@ -82,7 +82,7 @@ export class OrbitCamera {
     this.controls.updateCameraUp();
   }
 
-  /** Looks at all of these points from the front, so near that they fill the picture. */
+  /** Frames all of these points from the front, so that they fill the picture. */
   fit(points: THREE.Vector3[], isAnimated: boolean): void {
     const { center, radius } = new THREE.Box3().setFromPoints(points).getBoundingSphere(new THREE.Sphere());
     Object.assign(this.factors, { width: 1, motion: 1 });
@@ -98,7 +98,7 @@ export class OrbitCamera {
     void this.controls.setLookAt(...eye.toArray(), ...center.toArray(), isAnimated);
   }
 
-  /** How far from `center` the eye has to be, towards `back`, for all points to lie in the picture. */
+  /** The distance of the camera from `center`, towards `back`, at which all points lie in the picture. */
   private distanceFor(points: THREE.Vector3[], center: THREE.Vector3, back: THREE.Vector3): number {
     const right = this.camera.up.clone().cross(back).normalize();
     const above = back.clone().cross(right);
@@ -110,7 +110,7 @@ export class OrbitCamera {
     }, 0);
   }
 
-  /** Calls `draw` with the eye turned about the upright axis through what it looks at, in radians. */
+  /** Calls `draw` with the camera rotated about the vertical axis through the orbit centre, in radians. */
   turned(angle: number, draw: () => void): void {
     const { camera } = this;
     const [position, quaternion] = [camera.position.clone(), camera.quaternion.clone()];
@@ -123,19 +123,19 @@ export class OrbitCamera {
     camera.quaternion.copy(quaternion);
   }
 
-  /** Puts the eye at `factor` times the distance that the user has chosen, for this reason. */
+  /** Sets the camera to `factor` times the distance that the user has chosen, for this reason. */
   stepBack(reason: Reason, factor: number, isAnimated = false): void {
     if (factor === this.factors[reason]) return;
     void this.controls.dollyTo((this.endDistance() * factor) / this.factors[reason], isAnimated);
     this.factors[reason] = factor;
   }
 
-  /** Takes the distance for one that the user has chosen. */
+  /** Treats the current distance as chosen by the user. */
   forgetFactor(reason: Reason): void {
     this.factors[reason] = 1;
   }
 
-  /** The distance now over that which the eye is on its way to. */
+  /** The current distance over the target distance of the camera. */
   shareOfWay(): number {
     return this.controls.distance / this.endDistance();
   }
@@ -144,7 +144,7 @@ export class OrbitCamera {
     return this.controls.getSpherical(new THREE.Spherical(), true).radius;
   }
 
-  /** How far the points go from the middle of the picture, over half of its width and height; very far behind the eye. */
+  /** The largest offsets of the points from the centre of the picture, over half of its width and height; very large for points behind the camera. */
   spreadOf(points: readonly THREE.Vector3[]): { across: number; up: number } {
     this.controls.update(0);
     this.camera.updateMatrixWorld();

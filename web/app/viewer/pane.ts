@@ -18,29 +18,29 @@ import { Stand } from './stand';
 import { HATCH_PIXELS, surfaceMaterial } from './surface_material';
 import { isLarge, writePositions, writeValues } from './twin_surface';
 
-/** Of a body that lies over another one. */
+/** Opacity of an overlay. */
 const OVERLAY_OPACITY = 0.4;
 
 export interface Look {
   clay: string;
   wire: string;
   wireStrength: number;
-  /** whether every triangle is shaded as flat as it is */
+  /** whether triangles are flat-shaded */
   isFlat?: boolean;
   map: MapName;
 }
 
-/** ms for which a mesh stays before its normals are found exactly. */
+/** ms for which a mesh must stay unchanged before its exact normals are computed. */
 const REST_MILLISECONDS = 250;
 
-/** Where the vertices of a mesh are instead of at rest, and what colours them; see `setPositions`. */
+/** The positions of the vertices of a moving mesh, and the values that colour them; see `setPositions`. */
 interface Moved {
   mesh: TriangleMesh;
   positions: Float32Array;
   values: Float32Array | null;
 }
 
-/** What a mesh is shown with. */
+/** The field and displacement with which a mesh is shown. */
 interface Dress {
   field: Field | null;
   shape: Float32Array | null;
@@ -76,7 +76,7 @@ export class Pane {
   private isFileShown = false;
   private isFlat = false;
 
-  /** `onRefine`: what is drawn has changed though nobody has asked for it */
+  /** `onRefine`: called when the drawing has changed without a request */
   constructor(
     map: THREE.DataTexture,
     pixelRatio: number,
@@ -92,7 +92,7 @@ export class Pane {
     this.scene.add(this.stand.group, this.ring.line);
   }
 
-  /** Shows a mesh; a large one later, when the returned promise resolves, unless another one is asked for meanwhile. */
+  /** Shows a mesh; a large one later, when the returned promise resolves, unless another one is requested meanwhile. */
   show(mesh: TriangleMesh | null): Promise<void> | null {
     this.asked = mesh;
     this.remember();
@@ -103,7 +103,7 @@ export class Pane {
     return (this.preparing ??= this.prepare().finally(() => (this.preparing = null)));
   }
 
-  /** Field and shape belong to the mesh that was asked for when they came, and wait for it. */
+  /** Field and shape belong to the mesh that was requested when they arrived, and wait for it. */
   private remember(): void {
     if (this.asked) this.dress.set(this.asked, { field: this.field, shape: this.shape });
   }
@@ -112,22 +112,22 @@ export class Pane {
     return (this.mesh && this.dress.get(this.mesh)) ?? null;
   }
 
-  /** Whether a mesh that was asked for is not shown yet. */
+  /** Whether a requested mesh is not yet shown. */
   get isLate(): boolean {
     return this.asked !== this.mesh;
   }
 
-  /** Prepares one mesh at a time, and then the latest one that was asked for. */
+  /** Prepares one mesh at a time, then the latest requested one. */
   private async prepare(): Promise<void> {
     while (this.asked && this.isLate) {
       const mesh = this.asked;
       const drawn = await prepareQuickly(mesh).catch(() => drawnArrays(mesh));
-      // While the slider moves, a mesh on the way is better than none.
+      // While the slider moves, an intermediate mesh is better than none.
       if (this.asked !== null) this.put(mesh, drawn);
     }
   }
 
-  /** Finds exact normals once the mesh has stayed for a while. */
+  /** Computes exact normals once the mesh has not changed for a while. */
   private refineLater(mesh: TriangleMesh): void {
     this.restTimer = setTimeout(() => {
       void prepareExactly(mesh)
@@ -163,13 +163,13 @@ export class Pane {
     this.isPaintStale = true;
   }
 
-  /** Whether the whole file is drawn in place of the body alone, once it is there. */
+  /** Whether the whole file is drawn instead of just the body, once it is loaded. */
   showFile(isShown: boolean): void {
     this.isFileShown = isShown;
     this.showBody();
   }
 
-  /** Whether the file is drawn now. */
+  /** Whether the file is currently drawn. */
   get showsFile(): boolean {
     return this.isFileShown && this.stand.model !== null;
   }
@@ -218,14 +218,14 @@ export class Pane {
     this.isPaintStale = true;
   }
 
-  /** Pixels of the canvas per CSS pixel, for what has a size on the screen. */
+  /** Pixels of the canvas per CSS pixel, for elements of fixed screen size. */
   setPixelRatio(ratio: number): void {
     this.dots.setPixelRatio(ratio);
     this.hoverDot.setPixelRatio(ratio);
     this.body.material.uniforms.hatchPixels.value = HATCH_PIXELS * ratio;
   }
 
-  /** Runs once a frame, as strokes may come more often. */
+  /** Runs once a frame, because strokes may arrive more often. */
   private applyPaint(): void {
     const { mesh, levels } = this;
     if (mesh && this.isPaintStale)
@@ -234,8 +234,8 @@ export class Pane {
   }
 
   /**
-   * Moves the vertices of the mesh that was asked for, once it is there, or puts them back at rest (null); `values[v]` in [0, 1] colour
-   * the body.
+   * Moves the vertices of the requested mesh, once it is shown, or returns them to rest (null); `values[v]` in [0, 1]
+   * colour the body.
    */
   setPositions(positions: Float32Array | null, values: Float32Array | null): void {
     const { asked: mesh } = this;
@@ -246,7 +246,7 @@ export class Pane {
 
   private applyPositions(): void {
     const { mesh, groups, moved } = this;
-    // Normals are moved in groups, which come with the exact ones.
+    // Normals are updated in groups, which come with the exact ones.
     if (!mesh || this.isQuick || (moved ? moved.mesh !== mesh : !this.isMoved)) return;
     this.isMoved = moved !== null;
     const { hasField } = this.body.material.uniforms;
@@ -257,7 +257,7 @@ export class Pane {
     if (values && hasField.value) writeValues(this.body.geometry, mesh, values);
   }
 
-  /** Draws the body translucent in this colour, to lie over another body; null: opaque in its own colours. */
+  /** Draws the body translucent in this colour, as an overlay of another body; null: opaque in its own colours. */
   overlay(colour: string | null): void {
     const { material } = this.body;
     material.transparent = colour !== null;
@@ -267,7 +267,7 @@ export class Pane {
     this.collisionScene.group.visible = colour === null;
   }
 
-  /** Draws the depth of the body alone, so that an overlay shows one surface where several lie behind each other. */
+  /** Only draws the depth of the body, so that an overlay shows just the front surface. */
   drawDepth(draw: () => void): void {
     const { material } = this.body;
     this.collisionScene.group.visible = this.dots.points.visible = this.stand.group.visible = false;
@@ -277,7 +277,7 @@ export class Pane {
     this.stand.group.visible = true;
   }
 
-  /** Wires of a body below an overlay would make those of the overlay illegible. */
+  /** The wireframe of a body below an overlay would make that of the overlay illegible. */
   hideWires(areHidden: boolean): void {
     this.areWiresHidden = areHidden;
   }
@@ -298,7 +298,7 @@ export class Pane {
     this.body.material.uniforms.amplitude.value = amplitude;
   }
 
-  /** Marks a vertex, also while it swings; null removes the mark. */
+  /** Marks a vertex, also during motion; null removes the mark. */
   mark(vertex: number | null): void {
     const shape = this.fittingShape();
     if (vertex === null || !this.mesh) return this.hoverDot.setPoints(new Float32Array());
@@ -306,7 +306,7 @@ export class Pane {
     this.hoverDot.setPoints(at(this.mesh.positions), shape && at(shape));
   }
 
-  /** Where the vertices appear now; see `nearestSeen`. */
+  /** The current positions of the vertices; see `nearestSeen`. */
   seen(): SeenBody | null {
     const { mesh, amplitude } = this;
     return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };

@@ -19,14 +19,14 @@ export interface PaneRegion {
 export class PaneLayout {
   private panes: readonly PaneName[] = ['original'];
   private split: number | null = null;
-  /** whether the second pane lies over the first */
+  /** whether the second pane overlays the first */
   isOverlaid = false;
-  /** of the canvas while a picture of another size is taken, in CSS pixels */
+  /** size of the canvas while a picture of another size is taken, in CSS pixels */
   pictureSize: PaneSize | null = null;
 
   constructor(private readonly canvas: HTMLCanvasElement) {}
 
-  /** `split` in [0, 1]: the first of two panes shows left of it and the second right of it; null: no divider. */
+  /** `split` in [0, 1]: the first of two panes is visible to the left of it and the second to the right; null: no divider. */
   arrange(panes: readonly PaneName[], { isOverlaid, split }: { isOverlaid: boolean; split: number | null }) {
     this.panes = panes;
     this.isOverlaid = isOverlaid;
@@ -67,7 +67,7 @@ export class PaneLayout {
     return this.panes[this.columnAt(clientX)];
   }
 
-  /** A point of the page in normalised device coordinates of the column that `fromX` lies in. */
+  /** A point of the page in normalised device coordinates of the column that contains `fromX`. */
   deviceCoordinates(clientX: number, clientY: number, fromX: number): Vector2 {
     const box = this.canvas.getBoundingClientRect();
     const across = ((clientX - box.left) / box.width) * this.columns - this.columnAt(fromX);
@@ -89,7 +89,7 @@ export class PaneLayout {
     return this.columns === 1 ? 0 : this.panes.indexOf(name) * this.paneSize.width;
   }
 
-  /** Where each pane is drawn, in drawing order. */
+  /** The rectangles of the panes, in drawing order. */
   regions(): PaneRegion[] {
     const { width, height } = this.paneSize;
     const divider = this.split === null ? null : Math.round(this.split * width);

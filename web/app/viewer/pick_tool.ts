@@ -1,4 +1,4 @@
-/** The tool that works on the vertices of the shown mesh: a click picks one or the disc around it, a drag picks many. */
+/** The tool that picks vertices of the shown mesh: a click picks one or the disc around it, a drag picks many. */
 
 import type { Ray } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -6,29 +6,29 @@ import type { Stroke } from '../stroke';
 import { Picker } from './picker';
 import type { PickedVertex } from './picker';
 
-/** What the tool does to the vertices that it picks. */
+/** The action on the picked vertices. */
 export interface StrokeTool {
   /** radius of the brush, in units of the mesh */
   radius(): number;
-  /** what a click would pick; null where there is nothing */
+  /** what a click would pick; null if there is nothing */
   hover(picked: PickedVertex | null): void;
-  /** called while a stroke goes on */
+  /** called during a stroke */
   paint(stroke: Stroke): void;
   /** called at the end of a stroke */
   finish(stroke: Stroke): void;
 }
 
-/** What the tool asks of the page. */
+/** What the tool needs of the page. */
 export interface PickHost {
-  /** what it does now; null: it is not in use */
+  /** its current action; null: it is not in use */
   tool(): StrokeTool | null;
-  /** null: nothing is shown that it could work on */
+  /** null: no mesh is shown that it could work on */
   mesh(): TriangleMesh | null;
-  /** through the picture that `fromX` lies in, where a stroke begins; null where the tool does not work */
+  /** through the picture that contains `fromX`, the start of the stroke; null if the tool does not work there */
   rayAt(clientX: number, clientY: number, fromX: number): Ray | null;
   /** whether a click picks the whole disc of the brush, not one vertex */
   isBroad(): boolean;
-  /** called where nothing can be picked on the mesh until `prepare` is called again */
+  /** called if nothing can be picked on the mesh until `prepare` is called again */
   fail(error: unknown): void;
 }
 
@@ -37,7 +37,7 @@ interface RunningStroke extends Stroke {
   pointer: number;
   startX: number;
   startY: number;
-  /** the last point of the page that was touched */
+  /** the last touched point of the page */
   lastX: number;
   lastY: number;
   isClick: boolean;
@@ -46,9 +46,9 @@ interface RunningStroke extends Stroke {
 
 type PagePoint = Pick<PointerEvent, 'clientX' | 'clientY'>;
 
-/** A pointer that moves less than this, in pixels, has clicked. */
+/** A press that moves less than this, in pixels, is a click. */
 const CLICK_PIXELS = 4;
-/** A fast pointer is followed in steps of this, so that its stroke has no gaps. */
+/** A fast pointer is sampled in steps of this size, so that its stroke has no gaps. */
 const STEP_PIXELS = 6;
 
 export class PickTool {
@@ -56,7 +56,7 @@ export class PickTool {
   private stroke: RunningStroke | null = null;
   private hovered: number | null = null;
 
-  /** Listens on the canvas ahead of the camera, which gets every drag that does not begin on the body. */
+  /** Listens on the canvas before the camera, which gets every drag that does not begin on the body. */
   constructor(
     canvas: HTMLCanvasElement,
     private readonly host: PickHost,
@@ -68,7 +68,7 @@ export class PickTool {
     canvas.addEventListener('pointerleave', () => this.hover(null));
   }
 
-  /** Starts to build the search tree of the shown mesh, which may take a while; one that has failed is built again. */
+  /** Starts to build the search tree of the shown mesh, which may take a while; after a failure it is built again. */
   prepare(): void {
     if (this.picker?.hasFailed) this.picker = null;
     this.tree();
@@ -79,7 +79,7 @@ export class PickTool {
     this.hover(this.pickedAt(point));
   }
 
-  /** A click at a point of the page, as the keyboard makes it. */
+  /** A click at a point of the page, triggered by the keyboard. */
   click(point: PagePoint, isErasing: boolean): void {
     const stroke = this.begin(point, isErasing, -1);
     if (!stroke) return;
@@ -87,7 +87,7 @@ export class PickTool {
     stroke.tool.finish(stroke);
   }
 
-  /** Null where there is nothing under the point. */
+  /** Null if there is nothing under the point. */
   private begin(point: PagePoint, isErasing: boolean, pointer: number): RunningStroke | null {
     const picked = this.pickedAt(point);
     const tool = this.host.tool();
@@ -97,7 +97,7 @@ export class PickTool {
     return { tool, pointer, ...at, isErasing, isClick: true, vertices: new Map([[picked.vertex, 0]]) };
   }
 
-  /** Whether a stroke goes on. One whose tool was put down meanwhile is dropped. */
+  /** Whether a stroke is in progress. A stroke is dropped if its tool has been switched off meanwhile. */
   private isStroking(): boolean {
     if (this.stroke && this.stroke.tool !== this.host.tool()) this.stroke = null;
     return this.stroke !== null;
@@ -120,7 +120,7 @@ export class PickTool {
 
   private onMove(event: PointerEvent): void {
     const stroke = this.strokeOf(event);
-    // With a button down and no stroke the pointer turns the view, and hovers over nothing.
+    // With a button down and no stroke the pointer rotates the view and does not hover.
     if (event.buttons === 0 || this.stroke) this.hover(this.pickedAt(event));
     if (!stroke) return;
     const distance = Math.hypot(event.clientX - stroke.startX, event.clientY - stroke.startY);
@@ -137,7 +137,7 @@ export class PickTool {
     stroke.tool.finish(stroke);
   }
 
-  /** The stroke is taken back, as if it had touched nothing. */
+  /** The stroke is undone, as if it had touched nothing. */
   private onCancel(event: PointerEvent): void {
     const stroke = this.strokeOf(event);
     if (!stroke) return;

@@ -9,9 +9,9 @@ import type { TriangleMesh } from '../../engine/core/core';
 
 export interface PickedVertex {
   vertex: number;
-  /** where the ray hits the surface */
+  /** the point where the ray hits the surface */
   point: Vector3;
-  /** of the triangle that it hits */
+  /** of the hit triangle */
   normal: Vector3;
 }
 
@@ -24,7 +24,7 @@ export class Picker {
     private readonly tree: MeshBVH,
   ) {}
 
-  /** Returns at once for small meshes, later for large ones, or rejects where the worker cannot be loaded or fails. */
+  /** Returns at once for small meshes, later for large ones; rejects if the worker cannot be loaded or fails. */
   static of(mesh: TriangleMesh): Picker | Promise<Picker> {
     const geometry = geometryOf(mesh);
     if (faceCount(mesh) <= MAX_TRIANGLES_AT_ONCE) return new Picker(mesh, buildTree(geometry));
@@ -33,7 +33,7 @@ export class Picker {
     );
   }
 
-  /** The corner nearest to the first hit of the ray, from either side; null where the ray misses. */
+  /** The corner nearest to the first hit of the ray, from either side; null if the ray misses. */
   underRay(ray: Ray): PickedVertex | null {
     const hit = this.tree.raycastFirst(ray, DoubleSide);
     if (!hit || typeof hit.faceIndex !== 'number') return null;
@@ -79,14 +79,14 @@ export function geometryOf({ positions, triangles }: TriangleMesh): BufferGeomet
   return geometry;
 }
 
-/** The tree is indirect, so that the triangles of the mesh stay in their order. */
+/** The tree is indirect, so that the triangles of the mesh keep their order. */
 export const buildTree = (geometry: BufferGeometry): MeshBVH => new MeshBVH(geometry, { indirect: true });
 
 function buildInWorker(mesh: TriangleMesh): Promise<SerializedBVH> {
   const worker = new Worker(new URL('./tree_worker.ts', import.meta.url), { type: 'module' });
   return new Promise<SerializedBVH>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<SerializedBVH>) => resolve(data);
-    // A script that cannot be loaded gives an event without a message.
+    // A script that cannot be loaded causes an event without a message.
     worker.onerror = ({ message }) => reject(new Error(message ?? 'Failed to fetch its script'));
     worker.postMessage(mesh);
   }).finally(() => worker.terminate());

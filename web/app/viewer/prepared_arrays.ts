@@ -1,4 +1,4 @@
-/** Prepares what is drawn of a mesh: small ones at once, large ones in workers. */
+/** Prepares the drawn arrays of meshes: of small ones at once, of large ones in workers. */
 
 import { faceCount } from '../../engine/core/mesh';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -9,10 +9,10 @@ const MAX_FACES_AT_ONCE = 6000;
 
 export const isPreparedAtOnce = (mesh: TriangleMesh): boolean => faceCount(mesh) <= MAX_FACES_AT_ONCE;
 
-/** A worker that answers in the order of the questions. */
+/** A worker that answers requests in order. */
 class Preparer {
   private worker: Worker | null = null;
-  /** the answers that are due */
+  /** the pending answers */
   private readonly due: { resolve(drawn: DrawnArrays): void; reject(error: Error): void }[] = [];
 
   constructor(private readonly isQuick: boolean) {}
@@ -39,14 +39,14 @@ class Preparer {
   }
 }
 
-// A tick of the slider does not wait for the exact normals of the last one.
+// A separate worker, so that a tick of the slider does not wait for the exact normals of the last one.
 const quick = new Preparer(true);
 const exact = new Preparer(false);
 
-/** Prepares a large mesh with `quickArrays`. Rejects where the worker cannot be loaded. */
+/** Prepares a large mesh with `quickArrays`. Rejects if the worker cannot be loaded. */
 export const prepareQuickly = (mesh: TriangleMesh): Promise<DrawnArrays> => quick.prepare(mesh);
 
-/** Prepares a large mesh with `drawnArrays`. Rejects where the worker cannot be loaded. */
+/** Prepares a large mesh with `drawnArrays`. Rejects if the worker cannot be loaded. */
 export const prepareExactly = (mesh: TriangleMesh): Promise<DrawnArrays> => exact.prepare(mesh);
 
 const compact = <T extends Float32Array | Uint32Array>(array: T): T =>

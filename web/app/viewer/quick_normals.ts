@@ -1,4 +1,4 @@
-/** Normals to draw a mesh with while the slider moves: one pass over the triangles, where `cornerNormals` takes many. */
+/** Normals for drawing a mesh while the slider moves: one pass over the triangles, while `cornerNormals` takes many. */
 
 import type { TriangleMesh } from '../../engine/core/core';
 import { normaliseAll, putAreaNormals } from '../../engine/document/shading/normals';

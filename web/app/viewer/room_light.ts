@@ -1,12 +1,12 @@
 /**
- * The light of a plain room, for materials that mirror what is around them. It was filtered once by
- * `scripts/page/room-light.mjs`: a graphics card that is emulated takes seconds for that.
+ * The light of a plain room, for materials that reflect their surroundings. It was filtered once by
+ * `scripts/page/room-light.mjs`, because an emulated graphics card takes seconds for that.
  */
 
 import * as THREE from 'three';
 import address from './room_light.bin?url';
 
-/** The share of the room's light that is used beside a lamp. */
+/** The share of the room's light that is used in addition to a lamp. */
 const STRENGTH = 0.55;
 /** Texels along an edge of the sharpest level. */
 const SIZE = 64;
@@ -14,7 +14,7 @@ const LEVELS = 4;
 
 let loading: Promise<THREE.CubeTexture> | null = null;
 
-/** Lights a scene by the room as soon as its light is there. Without it, lamps alone light the scene. */
+/** Lights a scene with the room's light as soon as it is loaded. Without it, only lamps light the scene. */
 export async function lightByRoom(scene: THREE.Scene): Promise<void> {
   if (scene.environment) return;
   loading ??= load();
@@ -36,7 +36,7 @@ async function load(): Promise<THREE.CubeTexture> {
 function filteredCube(words: Uint32Array<ArrayBuffer>): THREE.CubeTexture {
   const cubes: THREE.CubeTexture[] = [];
   let at = 0;
-  // three.js takes the number of smaller levels for that of all levels, so one more follows that is never drawn.
+  // three.js mistakes the number of smaller levels for that of all levels, so one more follows that is never drawn.
   for (let level = 0; level <= LEVELS; level++) {
     const width = SIZE >> level;
     const faces = Array.from({ length: 6 }, () => {

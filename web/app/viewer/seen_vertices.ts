@@ -29,10 +29,10 @@ interface SeenVertex extends ScreenPoint {
   depth: number;
 }
 
-/** Vertices farther behind the nearest one than this share of its depth are taken to be hidden. */
+/** Vertices farther behind the nearest one than this fraction of its depth are assumed to be hidden. */
 const HIDDEN = 0.03;
 
-/** The nearest vertex to a point among those that do not seem hidden; null where none is within `pixels`. O(vertices). */
+/** The nearest vertex to a point among those assumed to be visible; null if none is within `pixels`. O(vertices). */
 export function nearestSeen(
   body: SeenBody,
   camera: PerspectiveCamera,
@@ -50,7 +50,7 @@ export function nearestSeen(
   return visible.sort((a, b) => a.distance - b.distance || a.vertex - b.vertex)[0]?.vertex ?? null;
 }
 
-/** Where a vertex appears in a pane. */
+/** The position of a vertex in a pane. */
 export const seenAt = (
   body: SeenBody,
   camera: PerspectiveCamera,
@@ -58,7 +58,7 @@ export const seenAt = (
   size: PaneSize,
 ): ScreenPoint => projection(camera, size)(body, vertex);
 
-/** Written out for speed with a million vertices. Every call of the returned function returns the same object. */
+/** Unrolled for speed with a million vertices. Every call of the returned function returns the same object. */
 function projection(camera: PerspectiveCamera, { width, height }: PaneSize) {
   const m = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
   const seen: SeenVertex = { x: 0, y: 0, depth: 0 };

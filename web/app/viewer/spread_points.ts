@@ -1,14 +1,15 @@
-/** Points spread over triangles, for what needs to know roughly where a surface is. */
+/** Points spread over triangles, which locate a surface approximately. */
 
 const WANTED = 60_000;
 const MAX_PER_SIDE = 12;
 
-/** Every how many triangles there are points on one, of so many. */
+/** The interval of triangles with points among `count` triangles. */
 export const spreadStep = (triangles: number): number => Math.max(1, Math.floor(triangles / WANTED));
 
 /**
- * Points on all triangles, `points[3 i + c]`, their corners among them; few triangles get more points each, and of many only some
- * get any, see `spreadStep`. `positions[3 v + c]`; `index`: three vertices per triangle, null where they follow each other.
+ * Points on all triangles, `points[3 i + c]`, including their corners; few triangles get more points each, and of many
+ * triangles only some get any, see `spreadStep`. `positions[3 v + c]`; `index`: three vertices per triangle, null if
+ * they are consecutive.
  */
 export function spreadPoints(positions: ArrayLike<number>, index: ArrayLike<number> | null): Float32Array {
   const corners = index?.length ?? positions.length / 3;

@@ -1,4 +1,4 @@
-/** Where a body stands in the scene: the turn, place and mean scale of its node, a floor below it, and light. */
+/** The stand of a body in the scene: the rotation, position and mean scale of its node, a floor below it, and light. */
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -7,12 +7,12 @@ import { floorShadow, SHADOW_SIZE } from './floor_shadow';
 import type { SceneLook, SceneModel } from './file/scene_model';
 import { spreadPoints } from './spread_points';
 
-/** The floor's shadow reaches beyond the body by this share of its size. */
+/** The floor's shadow extends beyond the body by this fraction of its size. */
 const AROUND = 1.9;
 
-/** Everything in the space of the scene, placed in the space of the shown body. */
+/** Everything in the space of the scene, transformed to the space of the shown body. */
 export class Stand {
-  /** holds the scene; its matrix leads from the space of the scene to that of the shown body */
+  /** contains the scene; its matrix transforms from the space of the scene to that of the shown body */
   readonly group = new THREE.Group();
   model: SceneModel | null = null;
   private readonly floor: THREE.Mesh<THREE.PlaneGeometry, THREE.MeshBasicMaterial>;
@@ -42,7 +42,7 @@ export class Stand {
     if (model) this.group.add(model.root);
   }
 
-  /** Whether the file is drawn. Its light always shines, as materials are made for a number of lights. */
+  /** Whether the file is drawn. Its light is always on, because materials are compiled for a number of lights. */
   drawFile(isDrawn: boolean): void {
     if (this.model) this.model.root.visible = isDrawn;
   }
@@ -51,7 +51,7 @@ export class Stand {
     this.model?.look(look);
   }
 
-  /** Puts the floor below the file as it is shown, or below a mesh in the space of the shown body; returns the box of it in the scene. */
+  /** Puts the floor below the shown file, or below a mesh in the space of the shown body; returns its bounding box in the scene. */
   layFloor(mesh: TriangleMesh | null): THREE.Box3 {
     const inScene = mesh ? this.toScene(mesh) : this.pointsOfFile();
     const box = boxOf(inScene);
@@ -69,7 +69,7 @@ export class Stand {
     return box;
   }
 
-  /** Lays the same floor as another stand. */
+  /** Shows the same floor as another stand. */
   shareFloor({ floor }: Stand): void {
     this.floor.material.map = floor.material.map;
     this.floor.material.needsUpdate = true;
@@ -77,7 +77,7 @@ export class Stand {
     this.floor.scale.copy(floor.scale);
   }
 
-  /** Takes the floor away until it is laid again. */
+  /** Removes the floor until it is placed again. */
   liftFloor(): void {
     this.floor.material.map?.dispose();
     this.floor.material.map = null;
@@ -116,7 +116,7 @@ function boxOf(points: Float32Array): THREE.Box3 {
 
 function shadowTexture(shadow: Float32Array): THREE.DataTexture {
   const data = new Uint8Array(4 * shadow.length);
-  // The picture's rows go up; those of the shadow go along z, towards the lower edge of a plane that lies down.
+  // The rows of a texture go up; those of the shadow go along z, towards the lower edge of a horizontal plane.
   shadow.forEach((value, i) => {
     const [row, column] = [Math.floor(i / SHADOW_SIZE), i % SHADOW_SIZE];
     const to = (SHADOW_SIZE - 1 - row) * SHADOW_SIZE + column;
@@ -129,7 +129,7 @@ function shadowTexture(shadow: Float32Array): THREE.DataTexture {
   return texture;
 }
 
-/** From the space of the scene to that of a body with this placement, without what would stretch or mirror it. */
+/** From the space of the scene to that of a body with this placement, without stretching or mirroring. */
 export function standingMatrix(nodeMatrix: readonly number[]): THREE.Matrix4 {
   const matrix = new THREE.Matrix4().fromArray([...nodeMatrix]);
   const scale = Math.cbrt(Math.abs(matrix.determinant())) || 1;

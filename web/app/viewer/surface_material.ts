@@ -22,7 +22,7 @@ const vertexShader = /* glsl */ `
   varying float vValue;
   varying vec2 vPaint;
   void main() {
-    // Triangles share no corners, so the number of a vertex says which corner of its triangle it is.
+    // Triangles share no corners, so the index of a vertex determines which corner of its triangle it is.
     int corner = gl_VertexID % 3;
     vCorner = vec3(corner == 0, corner == 1, corner == 2);
     vValue = value;
@@ -57,7 +57,7 @@ const fragmentShader = /* glsl */ `
     if (dot(n, toEye) < 0.0) n = -n;
     vec3 base = hasField ? texture(map, vec2(clamp(vValue, 0.0, 1.0) * 0.992 + 0.004, 0.5)).rgb : clay;
     base = mix(base, keep, vPaint.x > 0.0 ? 0.25 + 0.65 * vPaint.x : 0.0);
-    // Locks are hatched, so that they can be recognised without their colour.
+    // Locks are hatched, so that they can be recognised without colour.
     float hatch = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / hatchPixels));
     base = mix(base, mix(lock, vec3(1.0), 0.75 * hatch), step(0.5, vPaint.y));
     float key = max(dot(n, normalize(vec3(0.35, 0.75, 0.55))), 0.0);
@@ -68,14 +68,14 @@ const fragmentShader = /* glsl */ `
     vec3 width = fwidth(vCorner);
     vec3 edge = smoothstep(vec3(0.0), width * 1.25, vCorner);
     float onEdge = 1.0 - min(min(edge.x, edge.y), edge.z);
-    // Where triangles are smaller than a few pixels their edges fade, as they would cover the surface.
+    // The edges of triangles smaller than a few pixels fade out, because they would cover the surface.
     float fade = 1.0 - smoothstep(0.25, 0.9, max(max(width.x, width.y), width.z));
     gl_FragColor = vec4(mix(lit, wire, onEdge * wireStrength * (0.35 + 0.65 * fade)), opacity);
     #include <colorspace_fragment>
   }
 `;
 
-/** Of the hatches of locks, in CSS pixels. */
+/** The width of the hatches of locks, in CSS pixels. */
 export const HATCH_PIXELS = 8;
 
 /** Colours of painted vertices, the same in both colour schemes. */

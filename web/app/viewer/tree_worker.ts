@@ -1,4 +1,4 @@
-/** Builds the search tree for picking on a large mesh, away from the main thread of the page. */
+/** Builds the search tree for picking on a large mesh, off the main thread of the page. */
 
 import { MeshBVH } from 'three-mesh-bvh';
 import type { TriangleMesh } from '../../engine/core/core';

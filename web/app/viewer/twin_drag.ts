@@ -1,4 +1,4 @@
-/** The tool that pulls at a moving body: where a ray hits the body, and where the pointer drags that point. */
+/** The tool that drags a moving body: finds the point where a ray hits the body, and moves it with the pointer. */
 
 import { Plane, Vector3 } from 'three';
 import type { Ray } from 'three';
@@ -9,7 +9,7 @@ export interface SurfaceHit {
   position: Vector3;
 }
 
-/** Where a ray first hits the surface while its vertices are at `positions`; null where it misses. O(triangles). */
+/** The first hit of a ray on the surface with its vertices at `positions`; null if it misses. O(triangles). */
 export function hitAt(ray: Ray, { triangles }: TriangleMesh, positions: Float32Array): SurfaceHit | null {
   const corners: Corners = [new Vector3(), new Vector3(), new Vector3()];
   const load = (t: number) =>
@@ -38,9 +38,9 @@ function barycentricOf(p: Vector3, [a, b, c]: Corners): [number, number, number]
   return total > 0 ? [ofA / total, ofB / total, ofC / total] : [1, 0, 0];
 }
 
-/** What the tool asks of the page, and what it reports. */
+/** What the tool needs of the page, and what it reports. */
 export interface DragHost<Name> {
-  /** the ray through a point of the page, in the pane at `fromX`; null where nothing can be pulled now */
+  /** the ray through a point of the page, in the pane at `fromX`; null if nothing can be dragged now */
   rayAt(clientX: number, clientY: number, fromX: number): Ray | null;
   /** the body that the ray hits in the pane at `clientX` */
   hitAt(ray: Ray, clientX: number): { name: Name; hit: SurfaceHit } | null;
@@ -52,7 +52,7 @@ export interface DragHost<Name> {
 export class DragTool<Name> {
   private grip: { pointer: number; fromX: number; plane: Plane } | null = null;
 
-  /** Listens on the canvas ahead of the camera, which gets every drag that does not begin on a body. */
+  /** Listens on the canvas before the camera, which gets every drag that does not begin on a body. */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly host: DragHost<Name>,
@@ -71,7 +71,7 @@ export class DragTool<Name> {
     event.stopImmediatePropagation();
     this.canvas.setPointerCapture(event.pointerId);
     this.canvas.classList.add('dragging');
-    // The point moves in the plane through itself that faces the eye.
+    // The point moves in the plane through it that faces the camera.
     const plane = new Plane().setFromNormalAndCoplanarPoint(ray.direction, found.hit.position);
     this.grip = { pointer: event.pointerId, fromX: event.clientX, plane };
     this.host.grab(found.name, found.hit.point);

@@ -7,11 +7,11 @@ import type { TriangleMesh } from '../../engine/core/core';
 /** Bodies with more triangles than this are shaded flat; the shader finds their normals by itself. */
 const MAX_SMOOTH = 150_000;
 
-/** Whether a mesh is shaded flat: its triangles are so small that smooth shading would look the same. */
+/** Whether a mesh is flat-shaded: its triangles are so small that smooth shading would look the same. */
 export const isLarge = (mesh: TriangleMesh | null): boolean =>
   mesh !== null && mesh.triangles.length > 3 * MAX_SMOOTH;
 
-/** `groups`: those of the mesh at rest, see CornerNormals, so that creases stay where they are. */
+/** `groups`: those of the mesh at rest, see CornerNormals, so that creases do not change. */
 export function writePositions(
   geometry: BufferGeometry,
   { triangles }: TriangleMesh,

@@ -1,4 +1,4 @@
-/** The viewport: up to two bodies under one camera. It draws meshes and named fields and knows nothing else. */
+/** The viewport: up to two bodies under one camera. It draws meshes and named fields and has no further knowledge of the page. */
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -48,17 +48,17 @@ export class Viewport {
   private readonly axes = new AxesMark();
   private readonly files: ShownFiles;
   private isStale = true;
-  /** whether time stands still between pictures of a recording */
+  /** whether time is frozen between pictures of a recording */
   isRecording = false;
   private swing = { isPlaying: false, amplitude: 0, speed: 1, phase: 0 };
 
-  /** Throws where WebGL2 is missing. */
+  /** Throws if WebGL2 is missing. */
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     // All panes are cleared at once.
     this.renderer.autoClear = false;
-    // To ask for errors is to wait for the graphics card.
+    // Checking for errors would wait for the graphics card.
     this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
@@ -74,7 +74,7 @@ export class Viewport {
     const aim = (event: MouseEvent): void => this.orbit.setPointerRegion(...this.layout.columnRegion(event));
     for (const name of ['wheel', 'pointerdown'] as const)
       canvas.addEventListener(name, aim, { capture: true, passive: true });
-    // A canvas is cleared as its size changes, so that it has to be drawn before the browser shows it.
+    // A canvas is cleared when its size changes, so it has to be redrawn before the browser shows it.
     new ResizeObserver(() => {
       this.keepBodyInView();
       this.draw();
@@ -98,7 +98,7 @@ export class Viewport {
     });
   }
 
-  /** What a pane draws has changed. */
+  /** The content of a pane has changed. */
   private follow(name: PaneName): void {
     if (name === 'original') this.files.moved();
     this.isStale = true;
@@ -114,7 +114,7 @@ export class Viewport {
   /** See file/warm_up.ts. */
   warmUp = (): Promise<void> => warmUp(this.files, this.panes.original, () => this.draw());
 
-  /** How a pane's file is drawn; null: the body alone is drawn in its place. */
+  /** How a pane's file is drawn; null: only the body is drawn instead. */
   lookAtFile(name: PaneName, look: SceneLook | null): void {
     this.files.look(name, look);
     this.isStale = true;
@@ -126,7 +126,7 @@ export class Viewport {
     this.isStale = true;
   }
 
-  /** Says where the shown body stands in its scene, column by column. */
+  /** Sets the matrix from the shown body to its scene, column by column. */
   standAt(nodeMatrix: readonly number[]): void {
     const matrix = standingMatrix(nodeMatrix);
     const rotation = standingRotation(nodeMatrix);
@@ -157,7 +157,7 @@ export class Viewport {
     this.isStale = true;
   }
 
-  /** Moves the vertices of a body, or puts them back at rest (null). `values[v]` in [0, 1] colour it; `dots[3 i + c]`. */
+  /** Moves the vertices of a body, or returns them to rest (null). `values[v]` in [0, 1] colour it; `dots[3 i + c]`: positions of dots. */
   setPositions(
     name: PaneName,
     positions: Float32Array | null,
@@ -169,7 +169,7 @@ export class Viewport {
     this.isStale = true;
   }
 
-  /** Shows what bodies can touch; null shows nothing. */
+  /** Shows the collision scene; null shows nothing. */
   setCollisionScene(scene: ShownCollisionScene | null, look: CollisionSceneLook): void {
     for (const pane of Object.values(this.panes)) pane.collisionScene.show(scene, look);
     this.scenePoints = scene ? pointsToShow(scene) : [];
@@ -181,13 +181,13 @@ export class Viewport {
     this.isStale = true;
   }
 
-  /** Shows what a brush has painted on a body; null shows nothing. */
+  /** Shows the paint of a brush on a body; null shows nothing. */
   paint(name: PaneName, levels: Levels | null): void {
     this.panes[name].paint(levels);
     this.isStale = true;
   }
 
-  /** Shows the outline of the brush on the original, and at the same place of the optimized mesh; null hides it. */
+  /** Shows the outline of the brush on the original, and at the same position on the optimized mesh; null hides it. */
   markBrush(mark: BrushMark | null): void {
     for (const pane of Object.values(this.panes)) pane.ring.show(mark);
     this.isStale = true;
@@ -225,8 +225,8 @@ export class Viewport {
   }
 
   /**
-   * Puts the panes side by side; with an overlay colour the second lies translucent over the first; with a split in
-   * [0, 1] the first shows left of it and the second right of it.
+   * Arranges the panes side by side; with an overlay colour the second is drawn translucent over the first; with a
+   * split in [0, 1] the first is visible to the left of it and the second to the right.
    */
   arrange(
     panes: readonly PaneName[],
@@ -240,7 +240,7 @@ export class Viewport {
 
   private keepBodyInView = (): void => this.keeper.keepWidth(this.files.corners(), () => this.resize());
 
-  /** Keeps moving bodies in the picture, unless the user pulls at one; null: they rest again. `positions[3 v + c]` of each. */
+  /** Keeps moving bodies in the picture, unless the user drags one; null: they rest again. `positions[3 v + c]` of each. */
   followMotion(bodies: readonly Float32Array[] | null): void {
     if (!bodies) this.keeper.endMotion();
     else if (!this.canvas.classList.contains('dragging'))
@@ -252,7 +252,7 @@ export class Viewport {
     return this.layout.paneAt(clientX);
   }
 
-  /** The ray of sight through a point of the page, in the pane that `fromX` lies in. */
+  /** The viewing ray through a point of the page, in the pane that contains `fromX`. */
   rayAt(clientX: number, clientY: number, fromX = clientX): THREE.Ray {
     const caster = new THREE.Raycaster();
     caster.setFromCamera(this.layout.deviceCoordinates(clientX, clientY, fromX), this.orbit.camera);
@@ -267,7 +267,7 @@ export class Viewport {
     return nearestSeen(body, this.orbit.camera, target);
   }
 
-  /** Where a vertex appears, in pixels from the upper left corner of the canvas. */
+  /** The position of a vertex on the screen, in pixels from the upper left corner of the canvas. */
   screenPointOf(name: PaneName, vertex: number): ScreenPoint | null {
     const body = this.panes[name].seen();
     if (!body || 3 * vertex >= body.positions.length) return null;
@@ -280,7 +280,7 @@ export class Viewport {
     this.isStale = true;
   }
 
-  /** Turns the camera to the whole body and to what it can touch. */
+  /** Frames the camera on the whole body and the collision scene. */
   fit(isAnimated = true): void {
     this.fitsLater = this.panes.original.isLate;
     if (this.fitsLater) return;
@@ -292,7 +292,7 @@ export class Viewport {
     this.isStale = true;
   }
 
-  /** Draws the stage as it is now, at any size, and hands the canvas over before anything else is drawn on it. */
+  /** Draws the current stage at any size, and passes on the canvas before anything else is drawn on it. */
   capture(shot: StageShot, use: (canvas: HTMLCanvasElement) => void): void {
     const { renderer, layout, orbit, panes } = this;
     this.advance(shot.seconds ?? 0);
@@ -303,7 +303,7 @@ export class Viewport {
     });
   }
 
-  /** Lets time pass for what plays by itself; returns whether the files' animation does. */
+  /** Advances the time of animations; returns whether the files' animation plays. */
   private advance(seconds: number): boolean {
     const { swing } = this;
     if (swing.isPlaying) swing.phase += 2 * Math.PI * SWING_FREQUENCY * swing.speed * seconds;
@@ -314,7 +314,7 @@ export class Viewport {
     const { width, height } = this.layout.canvasSize;
     if (width === 0 || height === 0) return;
     const size = this.renderer.getSize(new THREE.Vector2());
-    // A canvas that is given a size, even its own, waits for all that it still has to draw.
+    // Setting the size of a canvas, even to the same value, waits for all pending drawing.
     if (size.x !== width || size.y !== height) this.renderer.setSize(width, height, false);
     this.orbit.setAspect(width / this.layout.columns / height);
     this.isStale = true;

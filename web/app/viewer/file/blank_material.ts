@@ -1,4 +1,4 @@
-/** Which materials say nothing of how a mesh looks. */
+/** Detects materials that do not define the look of a mesh. */
 
 import * as THREE from 'three';
 
@@ -11,7 +11,7 @@ const TEXTURES = [
   'aoMap',
 ] as const satisfies readonly (keyof THREE.MeshStandardMaterial)[];
 
-/** Whether a material is white and matt and nothing more, as that of a name in an OBJ is: on the light stage it is hardly to be seen. */
+/** Whether a material is just white and matt, like one of which an OBJ only has the name: on the light stage it would be hardly visible. */
 export function isBlankMaterial(material: THREE.Material): boolean {
   if (!(material instanceof THREE.MeshStandardMaterial) || material instanceof THREE.MeshPhysicalMaterial)
     return false;

@@ -1,10 +1,10 @@
-/** How folds of two-sided surfaces are shaded. */
+/** The shading of folds of two-sided surfaces. */
 
 import { ShaderChunk } from 'three';
 
 const BY_FACING = 'float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;';
 
-/** Cosine of the angle to the eye below which a normal of the side behind is turned. */
+/** Cosine of the angle to the eye below which a normal of the back side is flipped. */
 const TURNED = '-0.15';
 
 const BY_NORMAL = `
@@ -17,8 +17,9 @@ const BY_NORMAL = `
 `;
 
 /**
- * At the silhouette of a fold, where the side behind shows through between pixels, three.js turns the normal of that side away from the
- * light: a dotted dark line. Here only normals that clearly point away from the eye are turned. Materials drawn from now on have it.
+ * At the silhouette of a fold, where the back side shows through between pixels, three.js flips the normal of that side
+ * away from the light, which gives a dotted dark line. Here only normals that clearly point away from the eye are
+ * flipped. Applies to materials compiled from now on.
  */
 export function shadeFolds(): void {
   ShaderChunk.normal_fragment_begin = ShaderChunk.normal_fragment_begin.replace(BY_FACING, BY_NORMAL);

@@ -1,4 +1,4 @@
-/** A whole file as it is drawn with its own materials: its nodes, skins, animations and colours. */
+/** A whole file, drawn with its own materials: its nodes, skins, animations and colours. */
 
 import * as THREE from 'three';
 import type { GLTFReference } from 'three/examples/jsm/loaders/GLTFLoader.js';
@@ -18,19 +18,19 @@ export interface SceneLook {
   wire: string;
   /** 0: no edges are drawn */
   wireStrength: number;
-  /** numbers of the file's meshes that are shown; null: all */
+  /** indices of the file's shown meshes; null: all */
   shown: ReadonlySet<number> | null;
 }
 
-/** What is drawn of one primitive. */
+/** The drawn object of one primitive. */
 interface Drawn {
   object: THREE.Mesh;
-  /** its number among the file's meshes */
+  /** its index among the file's meshes */
   mesh: number;
   own: THREE.Material | THREE.Material[];
-  /** whether the file says nothing of its look: what glTF then prescribes is white */
+  /** whether the file does not define its look, for which glTF prescribes white */
   isPlain: boolean;
-  /** draws its edges; null until they are asked for */
+  /** draws its edges; null until requested */
   edges: THREE.Mesh | null;
 }
 
@@ -41,9 +41,9 @@ export class SceneModel {
   private readonly clip: THREE.AnimationClip | null;
   private readonly made = new Map<string, THREE.Material>();
 
-  /** Reads a GLB. Throws an Error where the loader cannot read it. */
+  /** Reads a GLB. Throws an Error if the loader cannot read it. */
   static async load(bytes: Uint8Array): Promise<SceneModel> {
-    // The page appears without it.
+    // Loaded on demand: the page appears without it.
     const { GLTFLoader } = await import('three/examples/jsm/loaders/GLTFLoader.js');
     const buffer = bytes.slice().buffer;
     const { scene, animations, parser } = await new GLTFLoader().parseAsync(buffer, '');
@@ -63,7 +63,7 @@ export class SceneModel {
       const isPlain = [own].flat().every((one) => !associations.get(one) && !one.vertexColors);
       this.drawn.push({ object, mesh: associations.get(object)?.meshes ?? -1, own, isPlain, edges: null });
     });
-    // Beside others, a white material is a colour; where all are blank, the file has none.
+    // Among other materials, white is a deliberate colour; if all materials are blank, the file has no look of its own.
     if (this.drawn.every(({ own }) => [own].flat().every(isBlankMaterial)))
       for (const drawn of this.drawn) drawn.isPlain = true;
     this.mixer = new THREE.AnimationMixer(root);
@@ -120,7 +120,7 @@ export class SceneModel {
     material.opacity = wireStrength;
   }
 
-  /** Points on what is shown, in the space of the scene, `points[3 i + c]`. */
+  /** Points on the shown surfaces, in the space of the scene, `points[3 i + c]`. */
   points(): Float32Array {
     this.root.updateMatrixWorld(true);
     const toScene = (this.root.parent?.matrixWorld ?? new THREE.Matrix4()).clone().invert();
@@ -144,7 +144,7 @@ export class SceneModel {
   }
 }
 
-/** Points on a primitive in its pose, after a transformation; vertices that no point needs are left out. */
+/** Points on a primitive in its pose, after a transformation; vertices that no point needs are skipped. */
 function pointsOn(object: THREE.Mesh, matrix: THREE.Matrix4): Float32Array {
   const index = object.geometry.index?.array ?? null;
   const { count } = object.geometry.getAttribute('position');

@@ -1,4 +1,4 @@
-/** The whole files that panes draw in place of single bodies, their animation, and the floors below what is shown. */
+/** The whole files that panes draw instead of single bodies, their animation, and the floors below. */
 
 import * as THREE from 'three';
 import type { Pane } from '../pane';
@@ -10,12 +10,12 @@ import type { SceneLook } from './scene_model';
 export class ShownFiles {
   private hasFloor = false;
   private isStale = true;
-  /** corners of what stands in the scene, in the space of the shown body */
+  /** corners of the bounding box of the scene, in the space of the shown body */
   private box: THREE.Vector3[] = [];
   private animation = { isPlaying: false, seconds: 0 };
-  /** per pane: the latest file asked for */
+  /** per pane: the latest requested file */
   private readonly asked: Record<PaneName, Uint8Array | null> = { original: null, optimized: null };
-  /** holds the programs of plain materials, which three.js lets go of with the last material that uses them */
+  /** keeps the programs of plain materials, which three.js releases with the last material that uses them */
   private warm: SceneModel | null = null;
   private readonly looks: Record<PaneName, SceneLook | null> = { original: null, optimized: null };
 
@@ -26,8 +26,8 @@ export class ShownFiles {
   ) {}
 
   /**
-   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Resolves to whether what the
-   * original's pane shows lies elsewhere than before. Rejects with what the loader says of a file that it cannot read.
+   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Resolves to whether the content of the
+   * original's pane has moved. Rejects with the loader's error if it cannot read the file.
    */
   async show(name: PaneName, bytes: Uint8Array | null): Promise<boolean> {
     if (this.asked[name] === bytes) return false;
@@ -47,8 +47,8 @@ export class ShownFiles {
   }
 
   /**
-   * Prepares what a file, a GLB, is drawn with, and keeps that; `draw` is called once while it stands in the original's pane. Does
-   * nothing once there is another file.
+   * Compiles the shader programs for a file, a GLB, and keeps them; `draw` is called once while it is in the original's
+   * pane. Does nothing once there is another file.
    */
   async warmUp(bytes: Uint8Array, draw: () => void): Promise<void> {
     const { scene, stand } = this.panes.original;
@@ -68,7 +68,7 @@ export class ShownFiles {
     this.box = [];
   }
 
-  /** Waits until the graphics card can draw a model, where it can say so; otherwise the first drawing keeps the page waiting. */
+  /** Waits until the graphics card is ready to draw a model, if it can report that; otherwise the first drawing blocks the page. */
   private async compile(model: SceneModel, name: PaneName): Promise<void> {
     const look = this.looks[name];
     if (look) model.look(look);
@@ -76,7 +76,7 @@ export class ShownFiles {
     await this.renderer.compileAsync(model.root, this.camera, this.panes[name].scene);
   }
 
-  /** How a pane's file is drawn; null: the body alone is drawn in its place. */
+  /** How a pane's file is drawn; null: only the body is drawn instead. */
   look(name: PaneName, look: SceneLook | null): void {
     const pane = this.panes[name];
     this.looks[name] = look;
@@ -92,7 +92,7 @@ export class ShownFiles {
     for (const { stand } of Object.values(this.panes)) stand.model?.pose(isPlaying ? 0 : null);
   }
 
-  /** Moves the animation on; returns whether it plays. */
+  /** Advances the animation; returns whether it plays. */
   advance(seconds: number): boolean {
     const { animation } = this;
     if (!animation.isPlaying) return false;
@@ -107,18 +107,18 @@ export class ShownFiles {
     for (const { stand } of Object.values(this.panes)) stand.isFloorShown = isShown;
   }
 
-  /** What is shown has changed, or where it stands. */
+  /** The shown content has changed or moved. */
   moved(): void {
     this.isStale = true;
   }
 
-  /** The corners of a box around what the original's pane shows at rest, in the space of the shown body. */
+  /** The corners of the bounding box of the original's pane at rest, in the space of the shown body. */
   corners(): readonly THREE.Vector3[] {
     this.layFloors();
     return this.box;
   }
 
-  /** Puts the floors where they belong, if anything has changed since the last time. */
+  /** Updates the floors if anything has changed since the last time. */
   layFloors(): void {
     if (!this.isStale) return;
     this.isStale = false;
@@ -126,7 +126,7 @@ export class ShownFiles {
     const box = original.stand.layFloor(original.showsFile ? null : original.mesh);
     this.box = box.isEmpty() ? [] : cornersOf(box);
     for (const corner of this.box) corner.applyMatrix4(original.stand.group.matrix);
-    // The result is so near to the original that its shadow would be the same.
+    // The result is so close to the original that its shadow would be the same.
     optimized.stand.shareFloor(original.stand);
     for (const { stand } of [original, optimized]) stand.isFloorShown = this.hasFloor;
   }

@@ -1,6 +1,6 @@
 /**
- * Prepares what a first file is drawn with, while nothing is shown: an emulated graphics card takes tenths of a second to make
- * ready for each kind of material.
+ * Compiles the shader programs for a first file while nothing is shown: an emulated graphics card takes tenths of a
+ * second for each kind of material.
  */
 
 import type { Pane } from '../pane';
@@ -11,8 +11,8 @@ const NORMALS = [0, 0, 1, 0, 0, 1, 0, 0, 1];
 const [JSON_CHUNK, BINARY_CHUNK] = [0x4e4f534a, 0x004e4942];
 
 /**
- * `pane`: that of the original; `draw` draws the stage. What is drawn is gone before the browser shows it. Does nothing once there is
- * a file.
+ * `pane`: that of the original; `draw` draws the stage. The drawing is removed before the browser shows it. Does
+ * nothing once there is a file.
  */
 export async function warmUp(files: ShownFiles, pane: Pane, draw: () => void): Promise<void> {
   await files.warmUp(warmFile(), () => {
@@ -25,7 +25,7 @@ export async function warmUp(files: ShownFiles, pane: Pane, draw: () => void): P
   if (!pane.mesh) draw();
 }
 
-/** A binary glTF of two triangles, with normals and without, as a model without materials of its own is drawn. */
+/** A binary glTF of two triangles, with and without normals, drawn like a model without materials of its own. */
 function warmFile(): Uint8Array {
   const data = new Uint8Array(Float32Array.from([...TRIANGLE, ...NORMALS]).buffer);
   const size = data.length / 2;

@@ -1,4 +1,4 @@
-/** Off-screen pictures of meshes from one eye, each in its own shape and colours. */
+/** Off-screen pictures of meshes from one viewpoint, each in its own shape and colours. */
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../../engine/core/core';
@@ -10,7 +10,7 @@ import { surfaceMaterial } from '../surface_material';
 import { isLarge } from '../twin_surface';
 
 export interface FigureBody {
-  /** as it is to be drawn: at rest, swung or moved */
+  /** as drawn: at rest, in a mode or in motion */
   mesh: TriangleMesh;
   field: Field | null;
   hasWires: boolean;
@@ -26,7 +26,7 @@ export interface FigureEye {
 }
 
 const FIELD_OF_VIEW = 24;
-/** Of the picture, around the meshes. */
+/** The margin around the meshes, as a fraction of the picture. */
 const MARGIN = 1.06;
 const WIRE_STRENGTH = 0.6;
 /** Width over height of a picture. */
@@ -34,7 +34,7 @@ const SHAPES = { least: 0.55, most: 1.7 };
 /** Vertices that are looked at to find out how large a mesh appears. */
 const MAX_POINTS = 20_000;
 
-/** Draws all bodies at one scale and hands out each picture before the next one is drawn. Throws where WebGL2 is missing. */
+/** Draws all bodies at one scale and yields each picture before the next one is drawn. Throws if WebGL2 is missing. */
 export function drawFigure(
   bodies: readonly FigureBody[],
   eye: FigureEye,
@@ -71,7 +71,7 @@ export function drawFigure(
   }
 }
 
-/** The eye looks at the middle of all bodies, so near that each of them fills its picture. */
+/** The camera looks at the centre of all bodies, so close that they fill their pictures. */
 function cameraFor(bodies: readonly FigureBody[], { orientation }: FigureEye): THREE.PerspectiveCamera {
   const back = orientation.clone().invert();
   const points = bodies.flatMap(({ mesh }) => somePoints(mesh)).map((point) => point.applyQuaternion(back));

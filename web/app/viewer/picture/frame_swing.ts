@@ -1,11 +1,11 @@
-/** Places an eye so that a body stays in its picture while it swings. */
+/** Places a camera so that a body stays in its picture while it swings. */
 
 import { MathUtils, Vector3 } from 'three';
 import type { PerspectiveCamera, Sphere } from 'three';
 
-/** The share of half the picture that the body reaches at most. */
+/** The largest fraction of half the picture that the body reaches. */
 const FILL = 0.94;
-/** So many vertices are looked at. */
+/** The number of sampled vertices. */
 const SAMPLES = 600;
 
 export interface Swing {
@@ -17,8 +17,9 @@ export interface Swing {
 }
 
 /**
- * Looks at the middle of `sphere`, which encloses the body at rest, from the direction `toEye`, as near as leaves the body at both ends of
- * each of its swings in the picture. Field of view, aspect and `up` are those of the camera.
+ * Looks at the centre of `sphere`, which encloses the body at rest, from the direction `toEye`, as close as possible
+ * with the body in the picture at both ends of each of its swings. Field of view, aspect and `up` are those of the
+ * camera.
  */
 export function frameSwing(camera: PerspectiveCamera, sphere: Sphere, toEye: Vector3, swing: Swing): void {
   const back = toEye.clone().normalize();
@@ -38,7 +39,7 @@ export function frameSwing(camera: PerspectiveCamera, sphere: Sphere, toEye: Vec
   camera.updateProjectionMatrix();
 }
 
-/** Calls `take` with places that vertices reach, measured from `centre`. */
+/** Calls `take` with positions that vertices reach, relative to `centre`. */
 function forEachEnd(centre: Vector3, { positions, shapes, amplitude }: Swing, take: (q: Vector3) => void) {
   const count = positions.length / 3;
   const step = Math.max(1, Math.floor(count / SAMPLES));

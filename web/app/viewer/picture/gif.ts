@@ -1,4 +1,4 @@
-/** A GIF that plays again and again. A frame holds what differs from the one before it, in colours of its own. */
+/** A looping GIF. A frame contains the differences from the previous one, with its own palette. */
 
 import { GIFEncoder, applyPalette, quantize } from 'gifenc';
 import type { Colour } from 'gifenc';
@@ -17,7 +17,7 @@ const STAYS = 1;
 
 export class GifFile {
   private readonly encoder = GIFEncoder();
-  /** the pixels of the frame before, as one number each */
+  /** the pixels of the previous frame, as one number each */
   private last: Uint32Array | null = null;
 
   constructor(private readonly size: GifSize) {}

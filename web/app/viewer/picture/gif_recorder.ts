@@ -26,7 +26,7 @@ export class GifRecorder implements FrameRecorder {
     this.encoding = this.remote.open({ width, height, milliseconds: 1000 / rate });
   }
 
-  /** The next frame; resolves when the worker has taken the one before. */
+  /** Adds the next frame; resolves when the worker has accepted the previous one. */
   async add(canvas: HTMLCanvasElement): Promise<void> {
     const { width, height } = canvas;
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, width, height);

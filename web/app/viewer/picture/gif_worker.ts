@@ -1,4 +1,4 @@
-/** The worker that makes a GIF, as choosing the colours of a frame takes longer than the page may be held up. */
+/** The worker that makes a GIF, because choosing the palette of a frame would block the page too long. */
 
 import { expose, transfer } from 'comlink';
 import { GifFile } from './gif';

@@ -1,4 +1,4 @@
-/** Pictures of several meshes from one eye: one shared renderer draws them in turn and copies each to its own canvas. */
+/** Pictures of several meshes from one viewpoint: one shared renderer draws them in turn and copies each to its own canvas. */
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../../engine/core/core';
@@ -10,7 +10,7 @@ import { surfaceMaterial } from '../surface_material';
 import { isLarge } from '../twin_surface';
 
 export const METHOD_PICTURE = { width: 320, height: 240 };
-/** Of the eye, in radii. */
+/** The distance of the camera, in radii. */
 const DISTANCE = 4.1;
 const MAX_POLAR = 1.5;
 
@@ -38,7 +38,7 @@ export class MethodPictures {
   private due = 0;
   private isDisposed = false;
 
-  /** `rotation`: from the space of the scene to that of the meshes. Throws where WebGL2 is missing. */
+  /** `rotation`: from the space of the scene to that of the meshes. Throws if WebGL2 is missing. */
   constructor(private readonly rotation: THREE.Quaternion) {
     const { width, height } = METHOD_PICTURE;
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
@@ -51,7 +51,7 @@ export class MethodPictures {
     this.scene.add(this.body);
   }
 
-  /** Draws a mesh on a canvas from now on, a large one later. The first mesh says where the eye looks. */
+  /** Draws a mesh on a canvas from now on, a large one later. The first mesh determines where the camera looks. */
   async show(mesh: TriangleMesh, canvas: HTMLCanvasElement): Promise<void> {
     const known = this.drawn.get(mesh);
     if (known?.canvas === canvas) return;
@@ -66,7 +66,7 @@ export class MethodPictures {
     this.drawSoon();
   }
 
-  /** Lets go of what was drawn of this mesh, and of another one on the same canvas. */
+  /** Releases the drawing of this mesh, and of another one on the same canvas. */
   private forget(mesh: TriangleMesh, canvas: HTMLCanvasElement): void {
     for (const [other, drawn] of this.drawn) {
       if (other !== mesh && drawn.canvas !== canvas) continue;
@@ -83,7 +83,7 @@ export class MethodPictures {
     this.drawSoon();
   }
 
-  /** Turns the eye around all meshes, in radians. */
+  /** Rotates the camera around all meshes, in radians. */
   rotate(azimuth: number, polar: number): void {
     this.azimuth += azimuth;
     this.polar = Math.max(-MAX_POLAR, Math.min(MAX_POLAR, this.polar + polar));

@@ -1,4 +1,4 @@
-/** Records canvases as a WebM video, each at the time that it is given: however long they take to draw, none is lost. */
+/** Records canvases as a WebM video, each at a given time: no frame is lost, however long drawing takes. */
 
 import { webmFile } from './webm';
 import type { EncodedFrame } from './webm';
@@ -20,11 +20,11 @@ export interface RecordedSize {
 
 /** Makes a video of canvases. */
 export interface FrameRecorder {
-  /** The next frame; resolves when there is room for another one. */
+  /** Adds the next frame; resolves when there is room for another one. */
   add(canvas: HTMLCanvasElement): Promise<void>;
   /** The file. The recorder must not be used afterwards. */
   finish(): Promise<Uint8Array>;
-  /** Gives up what is not finished. */
+  /** Aborts an unfinished video. */
   cancel(): void;
 }
 
@@ -34,7 +34,7 @@ export class Recorder implements FrameRecorder {
   private failure: Error | null = null;
   private readonly encoder: VideoEncoder;
 
-  /** Width and height are even. Throws where the browser cannot encode video. */
+  /** Width and height must be even. Throws if the browser cannot encode video. */
   static async open(size: RecordedSize): Promise<Recorder> {
     const { width, height, rate } = size;
     const bitrate = Math.round(BITS_PER_PIXEL * width * height * rate);

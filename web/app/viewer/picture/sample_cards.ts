@@ -24,7 +24,7 @@ export class SampleCards {
   private lastDrawn = -1e9;
   private isDisposed = false;
 
-  /** Loads the files one after the other and shows each as soon as it is there; null without WebGL2. */
+  /** Loads the files one after the other and shows each as soon as it is loaded; null without WebGL2. */
   static open(
     addresses: readonly string[],
     canvases: readonly HTMLCanvasElement[],
@@ -36,7 +36,7 @@ export class SampleCards {
       void cards.load(addresses, canvases);
       return cards;
     } catch {
-      return null; // names and buttons are still of use
+      return null; // names and buttons are still useful
     }
   }
 
@@ -68,7 +68,7 @@ export class SampleCards {
     this.isDisposed = true;
     this.renderer.setAnimationLoop(null);
     for (const { model } of this.cards) model.dispose();
-    // A context that is lost by force would wait for all that it still has to draw.
+    // Forcing a context loss would wait for all pending drawing.
     this.renderer.dispose();
   }
 
@@ -89,7 +89,7 @@ export class SampleCards {
     });
   }
 
-  /** Every file turns slowly, and leans to and fro as if it were swaying. */
+  /** Every file rotates slowly, and leans to and fro as if it were swaying. */
   private show({ model, box }: Card, seconds: number, i: number): void {
     this.turned.clear();
     this.turned.add(model.root);

@@ -1,4 +1,4 @@
-/** Draws the stage at a size that is not its own, and puts it back. */
+/** Draws the stage at a different size, and restores its own size. */
 
 import type { WebGLRenderer } from 'three';
 import type { OrbitCamera } from '../orbit_camera';
@@ -13,9 +13,9 @@ export interface StageShot {
   scale: number;
   /** whether the axes of the scene are drawn */
   hasAxes: boolean;
-  /** radians that the eye is turned by, about the upright axis; absent: 0 */
+  /** rotation of the camera about the vertical axis, in radians; absent: 0 */
   angle?: number;
-  /** that pass before the picture, for what plays by itself; absent: 0 */
+  /** that pass before the picture, for animations; absent: 0 */
   seconds?: number;
 }
 
@@ -26,12 +26,13 @@ interface Stage {
   panes: Record<PaneName, Pane>;
 }
 
-/** Pixels; the renderer drops fractions of pixels, also those by which a product of rounded numbers is too small. */
+/** Pixels; the renderer drops fractions of pixels, including those from rounding errors in a product. */
 const ROUNDING = 0.01;
 
 /**
- * Calls `draw(false)` at the size of the picture, and then `draw(true)` at that of the stage. What is seen sideways stays
- * in the picture where it is narrower. Throws where the graphics card cannot draw so large a picture.
+ * Calls `draw(false)` at the size of the picture, and then `draw(true)` at that of the stage. If the picture is
+ * narrower, the horizontal range of the view is preserved. Throws if the graphics card cannot draw a picture of that
+ * size.
  */
 export function drawAtSize(stage: Stage, shot: StageShot, draw: (isLast: boolean) => void): void {
   const { renderer, layout, orbit, panes } = stage;

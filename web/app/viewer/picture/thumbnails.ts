@@ -16,12 +16,12 @@ export const THUMBNAIL = { width: 148, height: 104 };
 /** Larger meshes stand still, so that the gallery never slows down the page. */
 const MAX_MOVING_FACES = 40000;
 const FRAME_MILLISECONDS = 50;
-/** Of the radius: large enough that modes can be told apart at this size. */
+/** Of the radius: large enough that modes can be distinguished at this size. */
 const AMPLITUDE = 0.32;
 
 type Attribute = THREE.BufferAttribute | THREE.InterleavedBufferAttribute;
 
-/** One mode: `shape[3 v + c]`, the largest displacement 1, and how much each triangle is strained, 0..255. */
+/** One mode: `shape[3 v + c]`, with largest displacement 1, and the strain of each triangle, 0..255. */
 export interface ShownMode {
   shape: Float32Array;
   strain: Uint8Array;
@@ -30,7 +30,7 @@ export interface ShownMode {
 interface Picture {
   canvas: HTMLCanvasElement;
   displacement: Attribute;
-  /** what it is coloured by */
+  /** the field that colours it */
   value: Attribute;
 }
 
@@ -77,7 +77,7 @@ export class Thumbnails {
       });
   }
 
-  /** All modes are shown at one size, so large that none swings out of its picture. */
+  /** All modes are shown at one scale, as large as possible without swinging out of the picture. */
   private put({ mesh, modes, canvases }: ShownGallery, drawn: DrawnArrays, rotation: THREE.Quaternion): void {
     this.forgetPictures();
     const geometry = (this.body.geometry = geometryFrom(drawn, mesh));
@@ -98,7 +98,7 @@ export class Thumbnails {
     this.draw(0);
   }
 
-  /** Gives the body the shape and the colours of a mode. */
+  /** Applies the shape and the colours of a mode to the body. */
   private dress(mesh: TriangleMesh, { shape, strain }: ShownMode): Omit<Picture, 'canvas'> {
     const { geometry } = this.body;
     setDisplacement(geometry, mesh, shape);
@@ -108,7 +108,7 @@ export class Thumbnails {
     return { displacement: geometry.getAttribute('displacement'), value: geometry.getAttribute('value') };
   }
 
-  /** Draws a large mesh at full swing, one mode between two frames, and keeps nothing of it. */
+  /** Draws a large mesh at full swing, one mode between two frames, without keeping its data. */
   private async drawOnce(
     mesh: TriangleMesh,
     modes: readonly ShownMode[],
@@ -122,13 +122,13 @@ export class Thumbnails {
       const { displacement, value } = this.dress(mesh, mode);
       this.body.material.uniforms.amplitude.value = this.amplitude;
       this.drawOn({ canvas: canvases[i], displacement, value });
-      // Frees what the graphics card has of it.
+      // Frees its memory on the graphics card.
       this.body.geometry.dispose();
     }
     this.body.geometry = new THREE.BufferGeometry();
   }
 
-  /** Lets the pictures swing, or stand still at full swing. */
+  /** Animates the pictures, or freezes them at full swing. */
   move(isMoving: boolean): void {
     this.isMoving = isMoving;
     this.draw(this.lastDrawn);
@@ -141,7 +141,7 @@ export class Thumbnails {
     this.renderer.dispose();
   }
 
-  /** Frees what the graphics card has of the pictures: a geometry only knows the attributes that it was drawn with last. */
+  /** Frees the memory of the pictures on the graphics card: a geometry only knows the attributes with which it was last drawn. */
   private forgetPictures(): void {
     for (const { displacement, value } of this.pictures) {
       this.body.geometry.setAttribute('displacement', displacement);

@@ -75,7 +75,7 @@ const double = (value: number): Uint8Array => {
   return bytes;
 };
 
-/** The length of an element: eight bytes, of which the first one says so. */
+/** The length of an element: eight bytes, of which the first one encodes that size. */
 function lengthOf(value: number): Uint8Array {
   const bytes = integer(value, 8);
   bytes[0] = 1;
@@ -91,7 +91,7 @@ const number = (name: keyof typeof ID, value: number): Uint8Array => element(nam
 const text = (name: keyof typeof ID, value: string): Uint8Array =>
   element(name, new TextEncoder().encode(value));
 
-/** `frames` in the order of their times; the first one is a key frame. */
+/** `frames` must be in order of time and start with a key frame. */
 export function webmFile(track: VideoTrack, frames: readonly EncodedFrame[]): Uint8Array {
   const clusters = clustersOf(frames);
   const bodies = clusters.map(clusterElement);
