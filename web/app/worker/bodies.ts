@@ -1,4 +1,4 @@
-/** What the page is told of the bodies of an open file. */
+/** The description of the bodies of an open file for the page. */
 
 import { describeHealth } from '../../engine/body/health';
 import type { HealthNote } from '../../engine/body/health';
@@ -10,7 +10,7 @@ import type { FileRun } from '../../engine/stages/file_run';
 import { STAGES } from '../../engine/stages/stages';
 import type { OpenedBody } from './protocol';
 
-/** Their faces are those that a result can have: duplicates included, degenerate ones left out, as the health says. */
+/** Their faces are those that a result can have: including duplicates, without degenerate ones, as the health report says. */
 export function describeBodies({ runs, model }: FileRun): OpenedBody[] {
   const matrices = meshMatrices(model.document);
   return model.bodies.map((body, i) => {

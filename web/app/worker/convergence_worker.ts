@@ -1,4 +1,4 @@
-/** Sees whether the original has converged, in a worker of its own, so that neither the motion nor the page waits for it. */
+/** Checks whether the original has converged, in a worker of its own, so that neither the motion nor the page waits for it. */
 
 import { expose } from 'comlink';
 import { loadCore } from '../../engine/core/load_core';

@@ -1,6 +1,6 @@
-/** Where the page finds the core. */
+/** The location of the core for the page. */
 
-/** Of every version its own, see scripts/page/core_folder.mjs; while the page is developed, that of public/. */
+/** Every version has its own folder, see scripts/page/core_folder.mjs; in development it is that of public/. */
 const FOLDER = (import.meta.env.CORE_FOLDER as string | undefined) ?? 'wasm/';
 
 /** The address of its folder, with a final slash. `base`: the address of the page, without its name. */

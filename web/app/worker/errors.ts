@@ -1,4 +1,4 @@
-/** Errors on the way between the page and a worker. Comlink carries the message, name and stack of an Error, and nothing else. */
+/** Transfers errors between the page and a worker. Comlink only transfers the message, name and stack of an Error. */
 
 import { transferHandlers } from 'comlink';
 import type { TransferHandler } from 'comlink';
@@ -10,10 +10,10 @@ interface CarriedError {
   sentence: Sentence;
 }
 
-/** Comlink's own name for the handler of whatever a call throws. */
+/** Comlink's own name for the handler of thrown values. */
 const THROWN = 'throw';
 
-/** Makes a SettingError arrive as one, with its setting and its sentence. Both the page and the worker call this once. */
+/** Makes a SettingError arrive as such, with its setting and its sentence. Both the page and the worker must call this once. */
 export function carrySettingErrors(): void {
   const usual = transferHandlers.get(THROWN) as TransferHandler<{ value: unknown }, unknown>;
   const handler: TransferHandler<{ value: unknown }, unknown> = {

@@ -1,4 +1,4 @@
-/** The form in which the page exports: its formats, and the settings as each of them can take them. */
+/** The form in which the page exports: its formats, and the settings that each of them supports. */
 
 import type { Settings } from '../../engine/settings/options';
 
@@ -25,7 +25,7 @@ const GLB: ExportFormat = {
   hasTextures: true,
 };
 
-/** Formats of several files are packed, as a page saves one file at a time. */
+/** Formats of several files are packed, because a page saves one file at a time. */
 export const EXPORT_FORMATS: readonly ExportFormat[] = [
   GLB,
   {
@@ -58,14 +58,14 @@ export const EXPORT_FORMATS: readonly ExportFormat[] = [
 export const exportFormatOf = ({ format }: Pick<Settings, 'format'>): ExportFormat =>
   EXPORT_FORMATS.find(({ value }) => value === format || value === `${format}.zip`) ?? GLB;
 
-/** The settings with which the file is written: what its format cannot have is left out. */
+/** The settings with which the file is written, without those that its format does not support. */
 export function exportSettings(settings: Settings): Settings {
   const { value: format, isGltf } = exportFormatOf(settings);
   if (isGltf) return { ...settings, format };
   return { ...settings, format, compress: 'like-input', lodStyle: 'files' };
 }
 
-/** The settings of files that the page draws itself: whatever is exported, they are plain GLB, and no picture waits for tuning. */
+/** The settings of files that the page draws itself: plain GLB whatever is exported, and without tuning, so that no picture waits for it. */
 export const drawnSettings = (settings: Settings): Settings => ({
   ...settings,
   ...(settings.maxFrequencyError > 0 ? {} : UNTUNED),
@@ -74,5 +74,5 @@ export const drawnSettings = (settings: Settings): Settings => ({
   lodStyle: 'files',
 });
 
-/** What a mesh looks like depends on its solver only where frequencies there are what limits its faces. */
+/** The look of a mesh only depends on its solver if frequencies in it limit the faces. */
 const UNTUNED = { solver: 'none', tune: 'global', engine: '', massRule: 'auto' } as const;

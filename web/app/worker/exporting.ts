@@ -20,7 +20,7 @@ import { STAGES } from '../../engine/stages/stages';
 import { exportedMesh } from '../../engine/stages/written';
 import type { DrawnLevel, ExportedLevel, ExportRequest, ExportResult } from './protocol';
 
-/** The same bytes as those of the command line from the same request. */
+/** The same bytes as from the command line with the same request. */
 export async function exportAll(
   file: FileRun,
   request: FileRequest,
@@ -51,7 +51,7 @@ export async function exportAll(
 }
 
 /**
- * The file by name, in the order of its vertices, and beside it a settings file for each generic solver, all of one mesh.
+ * The file, with vertices in its own order, and a settings file for each generic solver, all for the same mesh.
  * `request`: without a solver.
  */
 export async function exportForGeneric(
@@ -64,8 +64,8 @@ export async function exportForGeneric(
   const [{ bytes }] = await plain.files(name);
   const targets = [...request.targets];
   plain.results().forEach(({ mesh }, n) => (targets[file.usable[n].i] = faceCount(mesh)));
-  // A target for the frequencies of a solver would give each of them another mesh.
-  // Further levels are not in the archive.
+  // A target for the frequencies in a solver would give each solver a different mesh. Further levels are not in the
+  // archive.
   const settings = { ...request.settings, maxFrequencyError: 0, lods: [] };
   const stem = name.replace(/(\.(glb|gltf|obj|ply))?(\.zip)?$/, '');
   const files: Record<string, Uint8Array> = { [name]: bytes };
@@ -76,11 +76,11 @@ export async function exportForGeneric(
   return files;
 }
 
-/** As the page calls it: "edges-and-hinges". */
+/** The name on the page as part of a file name: "edges-and-hinges". */
 const familyName = (solver: GenericSolver): string =>
   profileOf(solver).label.toLowerCase().replaceAll(' ', '-');
 
-/** What the file `name` leaves out. */
+/** What the file `name` omits. */
 function lostOf({ model }: FileRun, { settings }: FileRequest, name: string): string[] {
   const { format } = outputForm(name, settings.format, model.format);
   if (format === 'glb' || format === 'gltf') return droppedByExport(model);
@@ -88,13 +88,13 @@ function lostOf({ model }: FileRun, { settings }: FileRequest, name: string): st
 }
 
 /**
- * The open file as a GLB, to be looked at: where its format prescribes no shading, bodies without normals get those that their results
- * will have, so that both are as smooth.
+ * The open file as a GLB for display: if its format does not prescribe a shading, bodies without normals get those that
+ * their results will have, so that both are equally smooth.
  */
 export function drawOriginal({ model, runs }: FileRun): Promise<Uint8Array> {
   const drawn = runs.map((run) => {
     const prepared = isSmoothed(model) && run ? run.get(STAGES.prepared, defaultSettings()) : null;
-    // Faces that lie on others are drawn as they are in the file.
+    // Duplicate faces are drawn as in the file.
     return prepared?.layers.isPlain ? exportedMesh(prepared) : null;
   });
   return exportGlb(model, drawn, { fields: false });
@@ -115,7 +115,7 @@ export async function drawLevels(file: FileRun, request: FileRequest): Promise<D
   return levels;
 }
 
-/** `names`: what the levels are called. */
+/** `names`: the names of the levels. */
 async function exportLevels(
   output: FileOutput,
   names: string[],

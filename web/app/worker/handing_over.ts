@@ -1,4 +1,4 @@
-/** Results on the way to the page: arrays are moved, as the page would have to copy millions of numbers between two frames. */
+/** Transfers results to the page: arrays are moved, because copying millions of numbers would take the page longer than a frame. */
 
 import { transfer } from 'comlink';
 
@@ -10,7 +10,7 @@ const isNumbers = (value: unknown): value is Numbers =>
 const isPlain = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
 
-/** The buffers of the typed arrays in plain data, each once. */
+/** The buffers of the typed arrays in plain data, without duplicates. */
 export function buffersOf(value: unknown): ArrayBuffer[] {
   const found = new Set<ArrayBuffer>();
   const look = (part: unknown): void => {
@@ -38,8 +38,8 @@ export function copyOf<T>(value: T): T {
   return copied(value) as T;
 }
 
-/** What a call of a worker returns in place of `value`, whose arrays are lost to the worker. */
+/** The return value of a worker's call for `value`, whose arrays are moved away from the worker. */
 export const giveAway = <T extends object>(value: T): T => transfer(value, buffersOf(value));
 
-/** What a call of the worker returns in place of `value`, which stays as it is. */
+/** The return value of a worker's call for a copy of `value`, which is not changed. */
 export const handOver = <T extends object>(value: T): T => giveAway(copyOf(value));

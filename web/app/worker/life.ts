@@ -1,9 +1,9 @@
 /**
- * How the page learns that a worker has ended, also while it computes and cannot answer: the worker has a lock of the
- * browser for as long as it lives, and the page waits for the same lock.
+ * Lets the page detect that a worker has ended, even while it computes and cannot answer: the worker holds a browser
+ * lock for its lifetime, and the page waits for the same lock.
  */
 
-/** Called in the worker. Resolves once the worker has the lock; where there are no locks, at once. */
+/** Called in the worker. Resolves once the worker has the lock; at once if the browser has no locks. */
 export function keepAlive(lock: string): Promise<void> {
   if (!navigator.locks) return Promise.resolve();
   return new Promise((resolve) => {

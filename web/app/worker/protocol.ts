@@ -36,7 +36,7 @@ import type { ComparedMethod, MethodResult } from '../../engine/stages/equal_bud
 
 export interface Started {
   threads: number;
-  /** the job's four words in shared memory; null on one thread */
+  /** the job's four words in shared memory; null in the single-threaded build */
   job: Int32Array | null;
 }
 
@@ -44,13 +44,13 @@ export interface OpenedBody extends Pick<Body, 'name' | 'mesh' | 'isScaledUneven
   faces: number;
   /** from the space of the mesh to that of the scene, column by column */
   nodeMatrix: number[];
-  /** null: it cannot be used, and stays as it is in every export */
+  /** null: it cannot be used, and no export changes it */
   health: HealthNote[] | null;
 }
 
-/** What the worker tells while a call runs. */
+/** The messages of the worker while a call runs. */
 export interface CallProgress extends Progress {
-  /** 0..1 of the work on all bodies of a file; absent: the phase alone is known */
+  /** 0..1 of the work on all bodies of a file; absent: only the phase is known */
   share?: number;
 }
 
@@ -66,7 +66,7 @@ export interface OpenedFile {
   /** how its vertices are stored */
   stored: Stored['kind'];
   notes: string[];
-  /** what an export leaves out, in plain words */
+  /** what an export omits, in plain words */
   dropped: string[];
 }
 
@@ -85,14 +85,14 @@ export interface BodySummary {
   pinAttributes: string[];
 }
 
-/** The vertices that a text pins. */
+/** The vertices pinned by a text. */
 export interface PinsResult {
   text: string;
   /** of the prepared mesh, ascending */
   vertices: Uint32Array;
 }
 
-/** Which regions of the body each mode strains. */
+/** The regions of the body that each mode strains. */
 export interface StrainOverview {
   /** strips[ordinal * STRIP + i]: mean strain rank of that mode along the body's longest axis */
   strips: Float32Array;
@@ -120,10 +120,10 @@ export interface HistorySummary {
   refused: Refused;
   /** see isBlockedBySeams */
   blockedBySeams: boolean;
-  /** a sentence where a symmetry is asked for that the body does not have; otherwise empty */
+  /** a sentence if a symmetry is requested that the body does not have; otherwise empty */
   note: string;
   seconds: number;
-  /** names the history to the worker that replays it, see replay.ts */
+  /** identifies the history for the worker that replays it, see replay.ts */
   replayId: string;
   /** of the stage, see keyOf */
   key: string;
@@ -141,11 +141,11 @@ export interface DeviationMarks {
 }
 
 export interface FitResult extends Omit<FittedResult, 'result'> {
-  /** null: the level of the history at that number of faces, which the page has already */
+  /** null: the level of the history at that number of faces, which the page already has */
   result: MeshAt | null;
-  /** null where frequencies are no target */
+  /** null if frequencies are not a target */
   frequency: FrequencyFinding | null;
-  /** null where no deviation has stopped it */
+  /** null if no deviation has stopped it */
   guard: GuardFinding | null;
   /** of the stage, see keyOf */
   key: string;
@@ -174,9 +174,9 @@ export interface ResultMetrics {
 export interface ExportRequest {
   /** write strain and curvature as attributes */
   fields: boolean;
-  /** write where the original's vertices lie on the result */
+  /** write the binding of the original's vertices to the result */
   binding: boolean;
-  /** name of the file; those of its levels follow from it */
+  /** name of the file, from which those of its levels follow */
   output: string;
 }
 
@@ -186,11 +186,11 @@ export interface ExportedLevel {
   bytes: Uint8Array;
   /** all files of it, that one first */
   files: SourceFile[];
-  /** null where the validator does not know the format */
+  /** null if the validator does not support the format */
   validation: Validation | null;
 }
 
-/** A level of detail as it is drawn, whatever format it is saved in. */
+/** A level of detail for drawing, whatever its saved format. */
 export interface DrawnLevel {
   /** a GLB; not checked by the validator */
   bytes: Uint8Array;
@@ -210,20 +210,20 @@ export interface ExportResult {
   bytes: Uint8Array;
   /** all files of the result, that one first */
   files: SourceFile[];
-  /** null where the validator does not know the format */
+  /** null if the validator does not support the format */
   validation: Validation | null;
-  /** of the file as it was opened; null where the validator does not know its format */
+  /** of the opened file; null if the validator does not support its format */
   inputValidation: Validation | null;
   report: Report;
   faces: number;
   /** the most faces that all bodies together may have: `--faces` of the command line */
   targetFaces: number;
   levels: ExportedLevel[];
-  /** text of the binding file; null: not asked for */
+  /** text of the binding file; null: not requested */
   binding: string | null;
-  /** text of the settings file of the solver; null: there is none */
+  /** text of the settings file of the solver; null: none */
   settings: string | null;
-  /** what the format leaves out of the file, in plain words */
+  /** what the format omits from the file, in plain words */
   lost: string[];
   /** see exportKey */
   key: string;
@@ -237,57 +237,57 @@ export interface GenericFiles {
   key: string;
 }
 
-/** How many faces are kept. */
+/** The numbers of faces to keep. */
 export interface KeptFaces {
-  /** of all bodies without a number of their own together; null: `ratio` of theirs */
+  /** of all bodies without their own number together; null: `ratio` of their faces */
   faces: number | null;
   /** in (0, 1]; absent: half */
   ratio?: number;
-  /** numbers of bodies, and their own numbers of faces */
+  /** indices of bodies, and their own numbers of faces */
   own: [number, number][];
 }
 
-/** How faces are shared out over the bodies; see SharedFaces. */
+/** How faces are distributed among the bodies; see SharedFaces. */
 export interface SharesResult extends SharedFaces {
   /** see sharesKey */
   key: string;
 }
 
-/** The result in its file, as it is drawn with its materials. */
+/** The result in its file, for drawing with its materials. */
 export interface ResultFile {
   /** a GLB; not checked by the validator */
   bytes: Uint8Array;
-  /** per body of the file: how many faces it has; 0 where it stays out */
+  /** per body of the file: its number of faces; 0 if it is excluded */
   faces: number[];
   /** see resultFileKey */
   key: string;
 }
 
-/** Text that is equal where two results are the same file. */
+/** Text that is equal if two results are the same file. */
 export const resultFileKey = (settings: Settings, kept: KeptFaces): string =>
   exportedFilesKey(drawnSettings(settings), kept, { fields: false, binding: false, output: '' });
 
-/** Text that is equal where all levels are the same. */
+/** Text that is equal if all levels are the same. */
 export const drawnLevelsKey = resultFileKey;
 
-/** Text that is equal where faces are shared out in the same way. */
+/** Text that is equal if faces are distributed in the same way. */
 export const sharesKey = (settings: Settings, kept: KeptFaces): string =>
   [keyOf(errorCurveStage, settings), settings.maxDeviation, settings.perBody, JSON.stringify(kept)].join(
     '\n',
   );
 
-/** Text that is equal where two exports are the same, with their reports, which quote every setting. */
+/** Text that is equal if two exports are the same, including their reports, which quote every setting. */
 export const exportKey = (settings: Settings, kept: KeptFaces, request: ExportRequest): string =>
   [exportedFilesKey(settings, kept, request), JSON.stringify(settings)].join('\n');
 
-/** The same without their reports. */
+/** The same without the reports. */
 export function exportedFilesKey(settings: Settings, kept: KeptFaces, request: ExportRequest): string {
   const { fields, binding, output } = request;
   const file = { settings, targets: [], fields };
   return [keyOfFile(file), JSON.stringify(kept), binding, output].join('\n');
 }
 
-/** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
+/** Every call throws an Error with one sentence; a cancelled call throws an Error whose message is CANCELLED. */
 export interface WorkerApi {
   /** `lifeLock`: see keepAlive. */
   start(
@@ -297,17 +297,17 @@ export interface WorkerApi {
   ): Promise<Started>;
   /** See warm_up.ts; a call stops it. */
   warmUp(): Promise<void>;
-  /** Each history is handed to this port as well as it is made, see replay.ts. */
+  /** Each new history is also sent to this port, see replay.ts. */
   connect(port: MessagePort): void;
   open(files: SourceFile[]): Promise<OpenedFile>;
-  /** The open file as a GLB, with what belongs to it packed in, to be drawn beside its result; see drawOriginal. */
+  /** The open file as a GLB with its companion files packed in, for drawing next to its result; see drawOriginal. */
   original(): Promise<Uint8Array>;
   /** The file with the result of every body, without the validator's verdict. */
   resultFile(settings: Settings, kept: KeptFaces): Promise<ResultFile>;
-  /** The file with each level of detail, to be looked at. */
+  /** The file with each level of detail, for display. */
   drawnLevels(settings: Settings, kept: KeptFaces): Promise<DrawnLevels>;
   prepare(body: number, settings: Settings): Promise<BodySummary>;
-  /** Throws where the text of the pins names what the body does not have. */
+  /** Throws if the text of the pins refers to something that the body does not have. */
   pins(body: number, settings: Settings): Promise<PinsResult>;
   modes(body: number, settings: Settings): Promise<ModesResult>;
   /** Compares the strain of all modes. */
@@ -317,25 +317,25 @@ export interface WorkerApi {
   history(body: number, settings: Settings): Promise<HistorySummary>;
   marks(body: number, settings: Settings): Promise<DeviationMarks>;
   meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
-  /** The mesh that is exported: fitted where the settings say so. */
+  /** The exported mesh: fitted if the settings request it. */
   fit(body: number, settings: Settings, faces: number): Promise<FitResult>;
   /** Tunes the mesh of `fit` in the solver of the settings. */
   tune(body: number, settings: Settings, faces: number): Promise<TunedResult>;
   /** `faces`: of the result that is explained. */
   why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
-  /** What one method makes of the body at a number of faces; see resultAtBudget. */
+  /** The result of one method for the body at a number of faces; see resultAtBudget. */
   methodAtBudget(
     body: number,
     settings: Settings,
     budget: { name: ComparedMethod; faces: number },
   ): Promise<MethodResult>;
-  /** How many faces each body keeps; collapses the edges of all bodies first. */
+  /** The numbers of faces that the bodies keep; collapses the edges of all bodies first. */
   shares(settings: Settings, kept: KeptFaces): Promise<SharesResult>;
   export(settings: Settings, kept: KeptFaces, request: ExportRequest): Promise<ExportResult>;
   /** The same without a solver, with a settings file for each generic solver. */
   genericFiles(settings: Settings, kept: KeptFaces, request: ExportRequest): Promise<GenericFiles>;
-  /** The files of archives, and the others as they are. Throws where an archive cannot be unpacked. */
+  /** The files of archives, and the other files unchanged. Throws if an archive cannot be unpacked. */
   unpack(files: SourceFile[]): Promise<SourceFile[]>;
   /** A ZIP archive of files by name. */
   pack(files: Record<string, Uint8Array>): Promise<Uint8Array>;
@@ -343,5 +343,5 @@ export interface WorkerApi {
 
 export const CANCELLED = 'cancelled';
 
-/** How the message of an Error begins after which the core cannot be used any more; the reason follows. */
+/** The beginning of an error message after which the core cannot be used any more; the reason follows. */
 export const CORE_BROKEN = 'core broken: ';

@@ -1,11 +1,11 @@
-/** The history of one body, replayed apart from the worker that made it, so that the slider never waits for other work. */
+/** Replays the history of one body in a worker other than the one that made it, so that the slider never waits for other work. */
 
 import type { Core, History, HistoryHandle, MeshAt, MeshHandle, TriangleMesh } from '../../engine/core/core';
 import { levelAt } from '../../engine/stages/level';
 
-/** A history as the worker that has made it hands it over. */
+/** A history as passed on by the worker that has made it. */
 export interface HandedHistory {
-  /** differs for every history of every worker */
+  /** unique for every history of every worker */
   id: string;
   mesh: TriangleMesh;
   history: History;
@@ -13,11 +13,14 @@ export interface HandedHistory {
 
 /** The calls of the worker that replays. */
 export interface ReplayApi {
-  /** Loads the core from this folder. For as long as the worker lives it has the lock, see `watchLife`. */
+  /** Loads the core from this folder. The worker holds the lock for its lifetime, see `watchLife`. */
   start(wasmFolder: string, lock: string): Promise<void>;
-  /** A port at which histories arrive, each in place of the one before. */
+  /** Sets a port at which histories arrive, each replacing the previous one. */
   listen(port: MessagePort): void;
-  /** The largest mesh with at most so many faces, as soon as the history is there; null: another one has taken its place. Throws where the core could not keep it. */
+  /**
+   * The largest mesh with at most this many faces, as soon as the history has arrived; null: another one has replaced
+   * it. Throws if the core could not keep it.
+   */
   meshAt(id: string, faces: number): Promise<MeshAt | null>;
 }
 
@@ -30,7 +33,7 @@ interface Kept {
 
 export class Replay {
   private kept: Kept | null = null;
-  /** the last history, where the core could not keep it */
+  /** the last history, if the core could not keep it */
   private refused: { id: string; error: unknown } | null = null;
   private readonly former = new Set<string>();
   private arrived: () => void = () => undefined;
@@ -42,7 +45,7 @@ export class Replay {
     return new Promise((resolve) => (this.arrived = resolve));
   }
 
-  /** Takes a history in place of the one before. */
+  /** Replaces the history. */
   keep({ id, mesh, history }: HandedHistory): void {
     this.release();
     try {

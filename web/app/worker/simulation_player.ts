@@ -1,5 +1,5 @@
 /**
- * Plays a twin in real time, or slower where steps take longer, and sends its latest state to the page, never more frames
+ * Plays a twin in real time, or slower if steps take longer, and sends its latest state to the page, never more frames
  * than the page can draw. See web/engine/motion/simulated_bodies.ts for the levels below.
  */
 
@@ -13,12 +13,12 @@ const STEP_MILLISECONDS = 1000 * STEP_SECONDS;
 /** Steps that are late by more than this, in milliseconds, are dropped: slow motion looks better than a leap. */
 const MAX_BEHIND = 100;
 
-/** After so many steps the noise floor is given up where the twin is slower than real time. */
+/** The number of steps after which the noise floor is dropped if the twin is slower than real time. */
 const TRIED_STEPS = 30;
-/** From this pace on, motion counts as real time. */
+/** The speed from which motion counts as real time. */
 const REAL_TIME = 0.9;
 
-/** The pace is measured over this time, in milliseconds. */
+/** The time over which the speed is measured, in milliseconds. */
 const PACE_SPAN = 1000;
 
 export class TwinPlayer {
@@ -29,7 +29,7 @@ export class TwinPlayer {
   private hasEnded = false;
   private due = 0;
   private tries = TRIED_STEPS;
-  /** what the steps of all bodies may take together; beyond it the noise floor is given up */
+  /** time limit for the steps of all bodies together, beyond which the noise floor is dropped */
   private readonly spareSeconds: number;
   private readonly stepped: number[] = [];
   private samples: TwinSample[] = [];
@@ -87,7 +87,7 @@ export class TwinPlayer {
     this.twin.end();
   }
 
-  /** Takes the next step when it is due; messages are handled between two steps. */
+  /** Computes the next step when it is due; messages are handled between two steps. */
   private schedule(): void {
     const wait = this.due - performance.now();
     if (wait > 1) setTimeout(() => this.run(), wait);
@@ -193,7 +193,7 @@ channel.port1.onmessage = () => {
   for (const action of actions) action();
 };
 
-/** Runs an action once the messages that have come meanwhile are handled; a timer of 0 would wait for milliseconds. */
+/** Runs an action once pending messages have been handled; a timer of 0 would wait for milliseconds. */
 function afterMessages(action: () => void): void {
   waiting.push(action);
   channel.port2.postMessage(null);

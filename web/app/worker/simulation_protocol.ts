@@ -8,7 +8,7 @@ import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 
 export interface TwinSetup {
-  /** counts starts; frames carry it, so that those of an earlier twin are never shown */
+  /** counts starts; frames contain it, so that those of an earlier twin are never shown */
   number: number;
   original: TriangleMesh;
   result: MeshAt;
@@ -18,23 +18,23 @@ export interface TwinSetup {
   /** from the space of the meshes to the scene's, in which gravity pulls and colliders lie; null: the same */
   rotation: SceneRotation | null;
   settings: Settings;
-  /** vertices of the original; null: what the scenario pins by itself */
+  /** vertices of the original; null: the default pins of the scenario */
   pinned: Uint32Array | null;
-  /** what the result is simulated with in the solver of the settings; null: the same numbers as the original, as it is */
+  /** the tuned parameters of the result in the solver of the settings; null: those of the original, untuned */
   tuned: TunedBody | null;
   /** whether the original runs a third time, hidden, with its constraints in another order */
   noise: 'always' | 'in real time';
 }
 
-/** What a frame carries besides positions. */
+/** The contents of a frame in addition to positions. */
 export interface TwinRequest {
-  /** how far each vertex has moved differently, for its colour */
+  /** the deviation of each vertex, for its colour */
   vertexDistances: boolean;
-  /** the original as the optimized body carries it */
+  /** the original driven by the optimized body */
   driven: boolean;
 }
 
-/** What one body costs and does. */
+/** The cost and the state of one body. */
 export interface BodyState {
   positions: Float32Array;
   /** pins[3 * pin + c] */
@@ -56,13 +56,13 @@ export interface TwinFrame {
   vertexDistances: Float32Array | null;
   /** one per step since the last frame */
   samples: TwinSample[];
-  /** false: nothing moves until the page says so, and no frame follows */
+  /** false: paused by the page; no frame follows */
   playing: boolean;
   /** simulated seconds per second while it plays */
   pace: number;
-  /** the bodies that have diverged; nothing moves any more then */
+  /** the bodies that have diverged, which ends the motion */
   diverged: TwinName[];
-  /** a sentence where the core has failed for another reason */
+  /** a sentence if the core has failed for another reason */
   failure: string | null;
 }
 
@@ -70,8 +70,8 @@ export interface SimulationApi {
   /** `lifeLock`: see keepAlive. */
   load(wasmFolder: string, show: ShowFrame, lifeLock: string): Promise<void>;
   /**
-   * Replaces the last twin by a new one, at rest and paused; returns what its bodies can touch. Throws an Error with one
-   * sentence where it cannot be simulated.
+   * Replaces the last twin with a new one, at rest and paused; returns its collision scene. Throws an Error with one
+   * sentence if it cannot be simulated.
    */
   start(setup: TwinSetup, request: TwinRequest): Promise<CollisionScene>;
   setRequest(request: TwinRequest): Promise<void>;

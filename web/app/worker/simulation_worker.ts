@@ -15,7 +15,7 @@ let core: Core;
 let player: TwinPlayer | null = null;
 let show: ShowFrame;
 
-/** Hands the arrays of a frame over to the page without copying them. */
+/** Transfers the arrays of a frame to the page without copying them. */
 function moved(frame: TwinFrame): TwinFrame {
   const { original, optimized } = frame.bodies;
   const arrays = [original.positions, original.pins, optimized.positions, optimized.pins, frame.driven];
@@ -28,7 +28,7 @@ function moved(frame: TwinFrame): TwinFrame {
 
 let calibrated = { key: '', factor: 1 };
 
-/** The last calibration is kept: it takes a while and depends on no setting of the simulation. */
+/** The last calibration is cached: it takes a while and depends on no setting of the simulation. */
 function keptCalibration(setup: TwinSetup): number {
   if (!isCalibrated(setup)) return 1;
   const { meshKey, settings } = setup;
@@ -50,7 +50,7 @@ function makeTwin(setup: TwinSetup): Twin {
 /** One thread for each body. */
 const MAX_THREADS = 3;
 
-/** The share of the threads' time that steps may take; the page and its pictures need the rest. */
+/** The share of the threads' time that steps may take; the page and its drawing need the rest. */
 const SPARE_SHARE = 0.5;
 
 const api: SimulationApi = {

@@ -1,4 +1,4 @@
-/** A setup of the Test step whose meshes stand as the scene does. */
+/** A setup of the Test step whose meshes are oriented as in the scene. */
 
 import { rotated } from '../../engine/motion/scene_rotation';
 import type { TwinSetup } from './simulation_protocol';

@@ -1,4 +1,4 @@
-/** Which regions each mode strains: along the body, for the gallery's strips, and in comparison with the other modes. */
+/** The regions that each mode strains: along the body, for the gallery's strips, and in comparison with the other modes. */
 
 import type { Core, ModeSet, TriangleMesh } from '../../engine/core/core';
 import { boundsOf, faceCount, longestAxis } from '../../engine/core/mesh';
@@ -6,7 +6,7 @@ import { hotFaces, sharedHotSpots } from '../../engine/report/hot_spots';
 import { STRIP } from './protocol';
 import type { StrainOverview } from './protocol';
 
-/** Ranks the strain of each ordinal alone; value i of a strip is the mean over the faces with their centre in slab i of the longest axis. */
+/** Ranks the strain of each ordinal separately; value i of a strip is the mean over the faces with their centre in slab i of the longest axis. */
 export function strainOverview(core: Core, mesh: TriangleMesh, modes: ModeSet): StrainOverview {
   const slab = slabOfTriangle(mesh);
   const strips = new Float32Array(modes.modesPerComponent * STRIP);
@@ -25,7 +25,7 @@ export function strainOverview(core: Core, mesh: TriangleMesh, modes: ModeSet): 
   return { strips, ranks, shared: sharedHotSpots(hot) };
 }
 
-/** The modes of one ordinal alone: the shapes of all would be copied into the core for each of them. */
+/** Only the modes of one ordinal: otherwise the shapes of all modes would be copied into the core for each of them. */
 function ofOrdinal(modes: ModeSet, ordinal: number): ModeSet {
   const size = modes.shapes.length / modes.modesPerComponent;
   const own = modes.modes.filter((mode) => mode.ordinal === ordinal);

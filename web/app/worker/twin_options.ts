@@ -1,4 +1,4 @@
-/** What a setup of the Test step asks of both bodies, for their motion and for its check. */
+/** The simulation options of both bodies from a setup of the Test step, for their motion and for its check. */
 
 import type { Core, SimulatedSolver, SimulationOptions } from '../../engine/core/core';
 import { calibrationOf, simulationOptions, untouchedSolversOf } from '../../engine/motion/simulation';
@@ -21,7 +21,7 @@ export function twinOptions(setup: TwinSetup): SimulationOptions & { otherSolver
 export const isCalibrated = ({ settings }: TwinSetup): boolean =>
   settings.calibrate && settings.solver === 'none';
 
-/** What Young's modulus of the result is multiplied by. */
+/** The factor on Young's modulus of the result. */
 export const calibrationFor = (core: Core, setup: TwinSetup): number => {
   const { original, result, size, settings } = setup;
   return isCalibrated(setup) ? calibrationOf(core, { ...size, mesh: original }, result.mesh, settings) : 1;

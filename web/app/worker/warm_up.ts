@@ -1,4 +1,4 @@
-/** Runs the engine once on a small body while nothing is asked of it, so that the browser has compiled it before the first file. */
+/** Runs the engine once on a small body while it is idle, so that the browser has compiled it before the first file. */
 
 import type { Core, TriangleMesh } from '../../engine/core/core';
 import { openModel } from '../../engine/document/open';
@@ -8,21 +8,21 @@ import { STAGES } from '../../engine/stages/stages';
 import { drawOriginal } from './exporting';
 import { strainOverview } from './strain_overview';
 
-/** Quads of the body around and across: enough that functions run often enough to be compiled well. */
+/** Quads of the body around and across: enough calls for functions to be compiled with optimization. */
 const AROUND = 40;
 const ACROSS = 24;
 
 /**
- * Browsers compile WebAssembly quickly at first, and functions that run often once more, which takes half a second of the first file
- * otherwise (https://v8.dev/blog/wasm-dynamic-tiering). Ends before its next step once `isWanted` returns false. Nothing that fails
- * here is told: the first file will tell it.
+ * Browsers first compile WebAssembly quickly, and then optimize frequently called functions, which would otherwise take
+ * half a second of the first file (https://v8.dev/blog/wasm-dynamic-tiering). Ends before its next step once `isWanted`
+ * returns false. Errors are not reported: the first file will report them.
  */
 export async function warmUp(core: Core, isWanted: () => boolean): Promise<void> {
   let file: FileRun | null = null;
   try {
     file = new FileRun(core, await openModel([{ name: 'torus.obj', bytes: torus() }]));
     for (const step of stepsOf(file)) {
-      // Lets calls in that have arrived meanwhile.
+      // Lets calls run that have arrived meanwhile.
       await new Promise((resolve) => setTimeout(resolve));
       if (!isWanted()) return;
       await step();

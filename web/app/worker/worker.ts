@@ -49,23 +49,23 @@ import { warmUp } from './warm_up';
 let core: Core;
 let file: FileRun | null = null;
 let tell: (progress: CallProgress) => void = () => undefined;
-/** of the work on all bodies; null: the running call works on one */
+/** of the work on all bodies; null: the running call processes one body */
 let span: WorkSpan | null = null;
 
-/** Whether the engine runs although nothing is asked of it. */
+/** Whether the engine is warming up. */
 let isWarmingUp = false;
 
-/** Tells the page how far the running call is. */
+/** Reports the progress of the running call to the page. */
 function tellProgress(progress: Progress): void {
   if (isWarmingUp) return;
   const share = span ? span.done + (span.next - span.done) * progress.fraction : undefined;
   tell({ ...progress, share });
 }
 
-/** Takes what work on many bodies tells. */
+/** Receives the progress of work on many bodies. */
 function takeSpan(fresh: WorkSpan | null): void {
   span = fresh;
-  // What the last call of the core told does not stand for what follows.
+  // The progress of the last call of the core does not apply to the next one.
   if (core.job) Atomics.store(core.job, 1, PHASES.indexOf('idle'));
   tellProgress({ phase: 'idle', fraction: 0 });
 }
@@ -84,7 +84,7 @@ function runOf(body: number): BodyRun {
 let historyPort: MessagePort | null = null;
 let handed: { history: History; id: string } | null = null;
 
-/** Hands a history over to the worker that replays it, unless it has that one; returns its id there. */
+/** Sends a history to the worker that replays it, unless that worker already has it; returns its id there. */
 function handHistory(mesh: TriangleMesh, history: History): string {
   if (handed?.history === history) return handed.id;
   handed = { history, id: crypto.randomUUID() };
@@ -92,7 +92,7 @@ function handHistory(mesh: TriangleMesh, history: History): string {
   return handed.id;
 }
 
-/** Errors lose their name on the way to the page: a cancelled call is known by its message. */
+/** Errors lose their name on the way to the page: a cancelled call is identified by its message. */
 async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
   isWarmingUp = false;
   span = null;
@@ -114,7 +114,7 @@ const askedOf = (settings: Settings, { faces, own, ratio }: KeptFaces, fields: b
   own: new Map(own),
 });
 
-/** Prepares all bodies, so that an unusable file never takes the place of the open one; `notes`: on bodies that are left out. */
+/** Prepares all bodies, so that an unusable file never replaces the open one; `notes`: on bodies that are skipped. */
 function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
   const onProgress = opened.bodies.length > 1 ? takeSpan : undefined;
   const fresh = new FileRun(core, opened, { guides: true, onProgress, caller: 'page' });
@@ -126,20 +126,20 @@ function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
   }
 }
 
-/** The bytes of the open file where it is a GLB. */
+/** The bytes of the open file if it is a GLB. */
 let openedGlb: Uint8Array | null = null;
 let inputVerdict: Promise<Validation> | null = null;
 
-/** The validator reads the input once, when a result is first compared with it. */
+/** The validator only reads the input once, when a result is first compared with it. */
 async function verdictOnInput(): Promise<Validation | null> {
   if (!openedGlb) return null;
   return (inputVerdict ??= validateGlb(openedGlb));
 }
 
-/** The share of the faces that is kept where no number is asked for. */
+/** The share of the faces that is kept without a requested number. */
 const HALF = 0.5;
 
-/** The same files make the same archive. */
+/** The same files give the same archive. */
 const ZIP_TIME = new Date(1980, 0, 1);
 
 const api: WorkerApi = {
