@@ -1,5 +1,5 @@
 // npm run bench: runs the benchmarks one after the other and stores their output, with the machine and the versions.
-// Usage: npm run bench -- [--only a,b] [--quick] [--write] [--list] [--compare REV] after npm run build
+// Usage: npm run bench -- [--only a,b] [--quick] [--write] [--list] [--compare REV]        after npm run build
 //   --quick        shorter runs, within ten minutes for all of them
 //   --write        also puts the tables into the documents
 //   --compare REV  ratios of the numbers now to those that were kept at a commit

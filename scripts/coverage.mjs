@@ -1,6 +1,6 @@
 // npm run coverage: the percentage of lines that tests run, for each folder: of web/engine by Vitest, of wasm by the
-// native tests. Usage: node scripts/coverage.mjs [--engine | --core] the first alone, or the second alone; each takes
-// minutes
+// native tests.
+// Usage: node scripts/coverage.mjs [--engine | --core]      only the first, or only the second; each takes minutes
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
