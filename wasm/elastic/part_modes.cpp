@@ -20,7 +20,7 @@ namespace limber {
 namespace {
 
 // The stiffness of the spring at a pinned point of a solid, relative to that of a cell (E times its size).
-// Pins yield by about the inverse of it, and residuals lose accuracy by the factor itself.
+// Pins yield by about its inverse, and residuals lose accuracy by this factor.
 constexpr double kPinStiffness = 1e4;
 
 // Rough estimates of the first elastic eigenvalue in the frame of a part.

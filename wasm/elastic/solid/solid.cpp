@@ -12,8 +12,8 @@ namespace {
 
 // Stiffness without mass that is added to a cell, relative to a full cell. The first kind is added to every
 // cell, so that no node in empty parts is without stiffness. The second is added to cells filled up to
-// kSliver, times their filled fraction, so that the mass of a sliver does not depend on almost no stiffness.
-// It makes a strut of a tenth of a cell stiffer by a tenth, one of a third by a hundredth.
+// kSliver, times their filled fraction, so that a sliver is stiff enough for its mass. It makes a strut of a
+// tenth of a cell stiffer by a tenth, one of a third by a hundredth.
 constexpr double kEmptyStiffness = 1e-7, kStiffnessOfMass = 1e-3;
 constexpr double kSliver = 0.5;
 constexpr uint32_t kCheckInterval = 256;  // cells between two checks for cancellation
