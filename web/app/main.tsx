@@ -18,7 +18,7 @@ import { startRunner } from './state/runner';
 import { client } from './state/running';
 import { isDark } from './state/scheme';
 import { startSimulations } from './state/simulation';
-import { followSteps } from './state/steps';
+import { followSteps } from './state/steps/steps';
 import { results } from './state/store';
 
 effect(() => {

@@ -23,7 +23,7 @@ import {
   wants,
 } from './state/store';
 import type { Step } from './state/store';
-import { goToStep, STEP_NAMES } from './state/steps';
+import { goToStep, STEP_NAMES } from './state/steps/steps';
 import { blink, LAYOUT_NAMES } from './panels/reduce/compare';
 import { BRUSH_RADIUS } from './panels/reduce/brush_section';
 

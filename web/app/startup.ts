@@ -6,7 +6,7 @@ import type { Wanted } from './state/link';
 import { openFiles } from './state/runner';
 import { lastSession, savedSession } from './state/saved_session';
 import type { Session } from './state/saved_session';
-import { changeEntry, entry } from './state/steps';
+import { changeEntry, entry } from './state/steps/steps';
 import { results, status, wants } from './state/store';
 import type { Notice } from './state/store';
 import { say, sentence } from './language/say';

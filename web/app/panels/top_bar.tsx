@@ -3,7 +3,7 @@
 import { LanguageChoice } from '../controls/language_choice';
 import { pickFiles } from '../files/files';
 import { isReloadFaster, reloadPage } from '../state/offline';
-import { goToStep } from '../state/steps';
+import { goToStep } from '../state/steps/steps';
 import { results, status, view, wants } from '../state/store';
 import type { Step, Theme } from '../state/store';
 import { Samples } from './model/samples';

@@ -1,8 +1,8 @@
 /** Going from step to step. Steps are entries of the browser's history: Back goes to the step before, and leaves the page from the first. */
 
 import { batch, effect } from '@preact/signals';
-import { view, wants } from './store';
-import type { Step } from './store';
+import { view, wants } from '../store';
+import type { Step } from '../store';
 
 export const STEP_NAMES: readonly Step[] = ['model', 'motion', 'reduce', 'test'];
 
