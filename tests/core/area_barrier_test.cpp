@@ -62,13 +62,13 @@ TEST(AreaBarrier, hasTheDerivativeOfItsEnergy) {
 TEST(AreaBarrier, leavesTrianglesWithoutAreaAlone) {
   EXPECT_EQ(barrierOf(0).count(), 0u);
   EXPECT_EQ(AreaBarrier(kTriangle, triangleOf(1), 0).count(), 0u);
-  // As much less as the membrane of such a triangle is.
+  // Lowered by the same factor as the membrane of such a triangle.
   const double flat = barrierOf(1e-6).energyAt(triangleOf(1e-7)),
                same = barrierOf().energyAt(triangleOf(0.08));
   EXPECT_NEAR(flat / same, 1e-6 / 0.8 * 1e-2, 1e-4 * flat / same);
 }
 
-// A heavy corner above a pinned base: a membrane of St. Venant-Kirchhoff lets it through.
+// A heavy corner above a pinned base: a St. Venant-Kirchhoff membrane lets it pass through.
 TEST(AreaBarrier, stopsACornerThatFallsOnItsBase) {
   TriangleMesh mesh;
   mesh.positions = triangleOf(kRestHeight);

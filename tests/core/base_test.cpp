@@ -94,7 +94,7 @@ TEST(ParallelFor, aThreadWithNothingLeftToDoHelpsInInnerLoops) {
   Visitors visitors;
   const auto start = std::chrono::steady_clock::now();
   const auto isLate = [&] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(20); };
-  // Of two outer ranges one ends at once; the other begins inner loops until another thread helps.
+  // One of two outer ranges ends at once; the other begins inner loops until another thread helps.
   parallelFor(2, 1, [&](size_t outer, size_t) {
     while (outer == 1 && visitors.count() < 2 && !isLate())
       parallelFor(100, 1, [&](size_t, size_t) { visitors.enter(); });
@@ -112,7 +112,7 @@ TEST(ParallelFor, aThreadHelpsInALoopThatBeganWhileItWasBusy) {
     while (!condition() && std::chrono::steady_clock::now() - start < std::chrono::seconds(20))
       std::this_thread::yield();
   };
-  // Of two outer ranges one begins a long inner loop, while the other keeps its thread busy and then ends.
+  // One of two outer ranges begins a long inner loop, while the other keeps its thread busy and then ends.
   parallelFor(2, 1, [&](size_t outer, size_t) {
     if (outer == 1) {
       isBusy = true;

@@ -20,8 +20,8 @@ Vec3 pointOf(const TriangleMesh& mesh, const Binding& binding, uint32_t v) {
   return point;
 }
 
-// A sheet of the given thickness, bent to half a tube of radius 1 around the y axis, with so many cells
-// around it and along it.
+// A sheet of the given thickness, bent to half a tube of radius 1 around the y axis, with these numbers of
+// cells around it and along it.
 TriangleMesh halfTube(int around, int along, double thickness) {
   TriangleMesh mesh = shapes::box(around, along, 1, 1);
   for (Vec3& p : mesh.positions) {
@@ -82,7 +82,7 @@ TEST(Binding, staysOnItsSideOfAThinSheetWhereTheOtherSideIsNearer) {
     ++checked;
   }
   EXPECT_GT(checked, 900u);
-  EXPECT_GT(nearerOnOtherSide, 50u);  // otherwise the test shows nothing
+  EXPECT_GT(nearerOnOtherSide, 50u);  // otherwise the test proves nothing
 }
 
 TEST(Binding, isTheSameForAnyNumberOfThreads) {

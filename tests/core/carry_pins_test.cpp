@@ -101,7 +101,8 @@ TriangleMesh atHeight(TriangleMesh mesh, double z) {
   return mesh;
 }
 
-// Two sheets close together whose coarse copies are swapped: only the binding tells which belongs to which.
+// Two sheets close together whose coarse copies are swapped: only the binding identifies corresponding
+// sheets.
 TEST(CarryPins, aPinnedRegionStaysOnTheSheetOfItsBinding) {
   const TriangleMesh fine = shapes::grid(4, 4), coarse = shapes::grid(2, 2);
   const TriangleMesh original = shapes::together(fine, atHeight(fine, 0.01));

@@ -77,7 +77,7 @@ TEST(CompareMotion, stepsTwoBodiesTogetherAsItDoesOneByOne) {
   EXPECT_TRUE(alone.simulation().positions() == two.simulation().positions());
 }
 
-// The way of the page: both bodies step side by side, and the deviation is measured after each step.
+// As on the page: both bodies step in parallel, and the deviation is measured after each step.
 TEST(CompareMotion, steppingTwoBodiesSideBySideGivesTheSameDeviationToTheLastBit) {
   const TriangleMesh fine = shapes::grid(12, 24, 0.5, 1), coarse = shapes::grid(6, 12, 0.5, 1);
   const MotionOptions options = swaying(fine);
@@ -114,7 +114,7 @@ TEST(CompareMotion, tellsHowFarTheOriginalIsFromItselfWithTwiceTheSubsteps) {
   EXPECT_EQ(at20.substeps, 20);
   EXPECT_GT(at20.substepDeviation, at40.substepDeviation);
   EXPECT_GT(at40.substepDeviation, 0);
-  // The two runs that the first number compares, once more.
+  // The two runs that the first number compares, repeated.
   std::vector<std::vector<Vec3>> runs;
   for (const int substeps : {20, 40}) {
     options.simulation.substeps = substeps;
@@ -142,7 +142,7 @@ TEST(CompareMotion, doublesTheSubstepsUntilTheOriginalHasConverged) {
   EXPECT_TRUE(enough.isConverged);
   EXPECT_LE(enough.substepDeviation, kConverged * enough.deviation.mean);
   ASSERT_GT(enough.substeps, 5);
-  // It is what the substeps as used give by themselves, and half of them are not enough.
+  // It equals the result with these substeps, and half of them are not enough.
   options.doublesSubsteps = false;
   options.simulation.substeps = enough.substeps;
   const MotionComparison again = compareMotion(fine, &coarse, options, job);

@@ -97,7 +97,7 @@ TEST(DenseProduct, IsTheSameInBothStorageOrdersToTheLastBit) {
   EXPECT_EQ(product(a, b), -columns);
 }
 
-// What is on and above the diagonal must not count.
+// Entries on and above the diagonal must not be read.
 ColumnMajor triangle(Eigen::Index size) {
   ColumnMajor lower = 0.3 * numbers<ColumnMajor>(size + 4, size, 1);
   for (Eigen::Index j = 0; j < size; ++j) lower.col(j).head(j + 1).setConstant(NAN);
@@ -111,7 +111,7 @@ ColumnMajor completed(const ColumnMajor& lower) {
   return full;
 }
 
-// L times what came out is what went in, as far as rounding goes.
+// L times the solution is the right-hand side up to rounding.
 template <class Rows>
 void checkSolves(Eigen::Index size, Eigen::Index cols) {
   const ColumnMajor lower = triangle(size), full = completed(lower);

@@ -1,4 +1,4 @@
-// How far collapses are estimated to take the surface.
+// Estimates of how far collapses move the surface.
 
 #include "simplify/deviation_estimate.h"
 

@@ -44,7 +44,7 @@ double valueOfForm(const double* f, const Vec3& p) {
          f[9];
 }
 
-// The form that the sums of the parts lead to, added up in two sets.
+// The form from the sums over the triangles, added up in two sets.
 std::array<double, kFormSize> formOf(const std::vector<Part>& parts) {
   std::array<double, kFormSize> form{};
   std::array<double, displacementSums(1)> first{}, second{};

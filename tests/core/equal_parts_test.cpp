@@ -53,7 +53,7 @@ TEST(EqualParts, AreNotThoseWithOtherTrianglesOrPins) {
             (std::vector<size_t>{0, 1, 1}));
 }
 
-// What findModes takes over is what a solve of the part alone finds.
+// The modes that findModes copies equal those of a separate solve of the part.
 TEST(EqualParts, HaveTheModesOfTheFirst) {
   Job job;
   const TriangleMesh bar = shapes::box(2, 2, 6, 0.5);

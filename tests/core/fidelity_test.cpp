@@ -98,7 +98,8 @@ TEST(Fidelity, aCoarserPlateIsCloseAndAStretchedOneIsNot) {
 }
 
 TEST(Fidelity, aUniformlySofterBodyIsCalibratedByOneFactor) {
-  // Twice the size at the same thickness and density lowers all bending frequencies of a plate alike.
+  // Twice the size at the same thickness and density lowers all bending frequencies of a plate by the same
+  // factor.
   const TriangleMesh plate = shapes::grid(10, 10);
   TriangleMesh larger = plate;
   for (Vec3& p : larger.positions) p *= 1.02;

@@ -105,7 +105,7 @@ TEST(CoarseSolve, leavesTheRigidMotionsThatThePinsLeave) {
   }
 }
 
-// A copy so coarse that pins beside each other have become one vertex.
+// A copy so coarse that adjacent pins have been merged into one vertex.
 TEST(CoarsePart, leavesTheRigidMotionsThatThePinsLeave) {
   TriangleMesh mesh = shapes::grid(60, 50, 1, 0.9);
   for (Vec3& p : mesh.positions) p.z = 0.3 * p.x * p.x * std::cos(2 * p.y);
@@ -219,8 +219,8 @@ TEST(ExactSolve, refusesBeforeItTakesMoreMemoryThanThereIs) {
   EXPECT_EQ(findModes(mesh, shellOptions(mesh, 6), true, job).modes.size(), 6u);
 }
 
-// How far the prolongation of a rotation from a copy with that many vertices is from the rotation, at most,
-// relative to the axis: a linear displacement, with which the normal turns.
+// The largest error of the prolongation of a rotation from a copy with that many vertices, relative to the
+// axis. A rotation is a linear displacement that also rotates the normal.
 double rotationError(const TriangleMesh& mesh, uint32_t vertices) {
   Job job;
   ModesOptions options;

@@ -102,7 +102,7 @@ TEST(DeviationGuard, tellsWhichTrianglesHaveMovedTooFar) {
 }
 
 TEST(DeviationGuard, measuresTheDistanceFromTheOriginalToo) {
-  // A fine sheet with a spike and a flat one: no point of the flat one is far from the fine one.
+  // A fine sheet with a spike, and a flat sheet: no point of the flat one is far from the fine one.
   TriangleMesh fine = shapes::grid(16, 16);
   const TriangleMesh coarse = shapes::grid(4, 4);
   const uint32_t spike = 17 * 6 + 5;

@@ -90,7 +90,7 @@ BlockMatrix blocksOf(const Eigen::MatrixXd& dense) {
   return matrix;
 }
 
-// By a factor, and by conjugate gradients, which end at 1e-2 in another norm.
+// By a factorisation, and by conjugate gradients, which end at 1e-2 in another norm.
 TEST(DampedSystem, solvesTheDampedSystemOfTheVerticesThatAreNotLocked) {
   Job job;
   const Problem problem(5);
@@ -122,7 +122,7 @@ BlockMatrix chainOf(uint32_t nodes, double factor) {
   chain.blocks.assign(chain.column.size(), Eigen::Matrix3d::Zero());
   for (uint32_t i = 0; i < nodes; ++i) {
     const Eigen::Matrix3d root = randomMatrix(3, 3, i + 1), square = root * root.transpose();
-    // Symmetric to the last bit, which the product need not be.
+    // Symmetric to the last bit, as the product need not be.
     const Eigen::Matrix3d block = (i % 50 == 0 ? factor : 1) / 2 * (square + square.transpose());
     chain.at(i, i) += block;
     if (i + 1 == nodes) continue;
@@ -172,7 +172,7 @@ TEST(BlockMatrix, isTheSymmetricMatrixOfItsBlocks) {
     }
 }
 
-// Columns go in groups of three; none depends on the others but for when it ends.
+// Columns are solved in groups of three; a column does not depend on the others except for its end.
 TEST(ConjugateGradients, solveAlikeWithAnyNumberOfThreads) {
   Job job;
   const ChainProblem problem(10);
@@ -197,7 +197,7 @@ TEST(ConjugateGradients, leaveFixedNodesInPlaceAndColumnsOfZerosAtZero) {
   EXPECT_FALSE(found.col(2).isZero(0));
 }
 
-// Where some couple far more strongly than others the steps end first.
+// If some nodes couple far more strongly than others, the step limit is reached first.
 TEST(ConjugateGradients, lowerTheModelWhereTheyAreCutShort) {
   Job job;
   const ChainProblem problem(1e8);

@@ -15,7 +15,7 @@ FlatRegions regionsOf(const TriangleMesh& mesh) {
   return {mesh, ClosestPointTree(mesh), mesh, buildTopology(mesh)};
 }
 
-// What is left of a displacement of vertex v alone.
+// The remainder of a displacement of only vertex v.
 Eigen::Vector3d flattened(const FlatRegions& regions, const TriangleMesh& mesh, uint32_t v,
                           const Eigen::Vector3d& displacement) {
   Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(3 * mesh.vertexCount(), 1);
@@ -24,7 +24,7 @@ Eigen::Vector3d flattened(const FlatRegions& regions, const TriangleMesh& mesh, 
   return steps.block<3, 1>(3 * v, 0);
 }
 
-// Whether displacements in random directions are left as they are. A failure repeats: the seed is fixed.
+// Whether displacements in random directions are left unchanged. Reproducible: the seed is fixed.
 bool isFree(const FlatRegions& regions, const TriangleMesh& mesh) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-1, 1);

@@ -7,7 +7,7 @@
 
 #include "fuzz_targets.h"
 
-// The fuzz targets of the core, with everything that has ever failed and with random inputs. `npm run fuzz`
+// The fuzz targets of the core, with all inputs that have ever failed and with random inputs. `npm run fuzz`
 // looks for more.
 
 namespace limber::fuzz {

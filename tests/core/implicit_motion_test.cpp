@@ -19,7 +19,7 @@ constexpr std::array kModels = {kShell, SolverModel{StretchElement::EdgeSprings,
 constexpr SolverConstants kConstants{
     .stretch = 700, .secondStretch = 300, .bend = 0.3, .surfaceDensity = 2, .unit = 1};
 
-// A mesh with all that moves it.
+// A mesh with its constraints and masses.
 struct Body {
   TriangleMesh mesh;
   SolverModel model = kShell;
@@ -127,8 +127,8 @@ Mode denseMode(const Body& body, int index) {
   return mode;
 }
 
-// Started along a mode with a tiny velocity, the body is back where it was after each period. What BDF2
-// delays is 1/3 (omega h)^2 of the phase.
+// Started along a mode with a tiny velocity, the body returns to its start after each period. BDF2 delays the
+// phase by 1/3 (omega h)^2.
 TEST(ImplicitMotion, vibratesAtTheFrequenciesOfTheStiffnessMatrix) {
   for (const SolverModel& model : kModels) {
     Body body{.mesh = shapes::jittered(shapes::sphere(1), 0.1, 3), .model = model};
@@ -158,7 +158,7 @@ TEST(ImplicitMotion, vibratesAtTheFrequenciesOfTheStiffnessMatrix) {
   }
 }
 
-// A bar that is pinned at one end and swings far.
+// A bar that is pinned at one end and swings with a large amplitude.
 Body bar(const SolverModel& model) {
   Body body{.mesh = shapes::box(2, 2, 6, 0.5), .model = model};
   body.constants.bend = 5;

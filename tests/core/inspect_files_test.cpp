@@ -9,8 +9,8 @@
 #include "mesh/repair/weld.h"
 #include "shared_meshes.h"
 
-// Compares what `inspect` finds in real files with what other tools found, as the index of the files lists
-// it.
+// Compares the results of `inspect` for real files with those of other tools, as listed in the index of the
+// files.
 
 namespace limber {
 namespace {

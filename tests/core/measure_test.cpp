@@ -120,7 +120,8 @@ TEST(ClosestPoint, isFoundAmongNeedlesAsAmongOtherTriangles) {
   }
 }
 
-// The box of a needle across the axes is mostly empty, so that a quarter of all boxes would meet at a point.
+// The box of a needle oblique to the axes is mostly empty, so that a quarter of all boxes would overlap at a
+// point.
 TEST(ClosestPoint, meetsFewNeedlesOfAFan) {
   const TriangleMesh mesh = fan(4096);
   const BoundingTree tree = treeOver(mesh);
@@ -138,7 +139,7 @@ TEST(ClosestPoint, meetsFewNeedlesOfAFan) {
 }
 
 // Corners whose coordinates differ by many powers of ten make triangles without a height, whose normal is
-// nothing but rounding.
+// pure rounding error.
 TEST(ClosestPoint, ofANeedleLiesBetweenItsCorners) {
   std::mt19937 random(3);
   const auto share = [&] { return 2.0 * random() / 4294967295.0 - 1; };

@@ -52,7 +52,7 @@ TEST(MirrorImages, ofWhatHasNoneAreCounted) {
   EXPECT_TRUE(across.partners.empty());
   EXPECT_GT(across.asymmetricVertices, whole.mesh.vertexCount() / 2);
   // All diagonals of a grid run one way, and the quads in the middle lie across the plane: its vertices have
-  // images, its triangles have none, however the quads are cut.
+  // images, its triangles have none, however the quads are split.
   const MirrorImages grid = findMirrorImages(shapes::grid(5, 4), {}, 0, theJob);
   EXPECT_TRUE(grid.partners.empty() && grid.corners.empty());
   EXPECT_EQ(grid.asymmetricVertices, 0u);
@@ -67,7 +67,7 @@ TEST(MirrorImages, refuseAFlatMeshAsItsOwnImage) {
   EXPECT_TRUE(findMirrorImages(shapes::grid(4, 4), {}, 2, theJob).partners.empty());
 }
 
-// The mesh with quads cut as `corners` say.
+// The mesh with quads split according to `corners`.
 TriangleMesh recut(const TriangleMesh& mesh, const std::vector<uint32_t>& corners) {
   TriangleMesh cut{mesh.positions, {}};
   for (size_t corner = 0; corner < corners.size(); corner += 3) {
@@ -112,13 +112,13 @@ TEST(MatchSplits, cutsNoneWhereASeamRuns) {
   while (corners[3 * size_t{first}] == 3 * first && corners[3 * size_t{first} + 1] == 3 * first + 1 &&
          corners[3 * size_t{first} + 2] == 3 * first + 2)
     ++first;
-  // Where a quad on one side must not be cut, its image on the other side is cut instead.
+  // If a quad on one side must not be flipped, its image on the other side is flipped instead.
   groups[first] = 1;
   const MirrorImages other = findMirrorImages(mesh, {{}, groups}, 0, theJob);
   ASSERT_FALSE(other.corners.empty());
   EXPECT_EQ(other.corners[3 * size_t{first}], 3 * first);
   EXPECT_EQ(trianglesWithoutImage(recut(mesh, other.corners), other.partners), 0u);
-  // If each triangle is a chart of its own, no quad can be cut.
+  // If each triangle is a chart of its own, no quad can be flipped.
   for (uint32_t corner = 0; corner < 3 * mesh.triangleCount(); ++corner) wedges.push_back(corner);
   const MirrorImages none = findMirrorImages(mesh, {wedges, {}}, 0, theJob);
   EXPECT_TRUE(none.corners.empty() && none.partners.empty());
@@ -192,7 +192,7 @@ TEST(MirroredFit, isAboutAsGoodAsOneThatDoesNotKnow) {
   }
 }
 
-// The error that the fit returns is that of its result, not of a mesh that is mirrored later.
+// The error that the fit returns is that of its result, not of a mesh before it is mirrored.
 TEST(MirroredFit, tellsTheErrorOfItsResult) {
   const auto& [whole, reduced, fitted, plain] = fittedBox();
   const auto errorOf = [&](const TriangleMesh& mesh) {

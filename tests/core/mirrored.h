@@ -12,7 +12,7 @@
 
 namespace limber::mirrored {
 
-// A mesh, its image across x = 0, and which vertex is the image of which. Vertices with x = 0 are shared.
+// A mesh, its image across x = 0, and the image of each vertex. Vertices with x = 0 are shared.
 struct Doubled {
   TriangleMesh mesh;
   std::vector<uint32_t> mirror;

@@ -117,7 +117,7 @@ TEST(ModalFit, fitsThePinnedBodyWhereItIsPinned) {
   }
 }
 
-// With so few faces a fit to the modes of the free body may do as well by chance, but either helps a lot.
+// With so few faces a fit to the modes of the free body may be as good by chance, but both help a lot.
 TEST(ModalFit, fitsThePinnedBodyOfVeryFewFaces) {
   Job job;
   const TriangleMesh mesh = wavySheet();

@@ -186,7 +186,7 @@ TEST(ModeNames, tellBendingTwistingStretchingBreathingAndLocalMotionApart) {
   EXPECT_EQ(nameOf(ModeObserver(ball).observe(asColumn(ball.positions))), ModeName::Breathe);
 }
 
-// A square has no longest axis: names go by its first side, whatever its triangles are like.
+// A square has no longest axis: names refer to its first side, for any triangulation.
 TEST(ModeNames, ofASquareGoByItsSides) {
   const TriangleMesh square = shapes::grid(20, 20);
   const ModeObserver observer(square);

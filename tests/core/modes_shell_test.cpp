@@ -49,7 +49,7 @@ TEST(ShellModes, aFreeSquarePlateVibratesAsInLeissasTable) {
 TEST(ShellModes, thePlatesErrorShrinksAtSecondOrder) {
   const auto coarse = plateErrors(shapes::grid(8, 8)), fine = plateErrors(shapes::grid(16, 16)),
              finest = plateErrors(shapes::grid(32, 32));
-  // Richardson: the table has five digits only, so the limit is taken from the sequence itself.
+  // Richardson: the table only has five digits, so the limit is extrapolated from the sequence itself.
   for (size_t k = 0; k < kPlate.size(); ++k) {
     const double order = std::log2((fine[k] - coarse[k]) / (finest[k] - fine[k]));
     EXPECT_GT(order, 1.7) << "mode " << k + 1;
@@ -75,7 +75,7 @@ TEST(ShellModes, everyFreeBodyHasSixZeroModesAndSmallResiduals) {
 TEST(ShellModes, aSpheresModesComeInWholeClusters) {
   Job job;
   const ModeSet set = computeModes(shapes::sphere(3), unitShell(0.04, 12), job);
-  // l = 2 has five members; the mesh splits them by next to nothing.
+  // l = 2 has five members, which the mesh hardly splits.
   EXPECT_LT(set.modes[4].omega / set.modes[0].omega, 1.02);
   EXPECT_GT(set.modes[5].omega / set.modes[4].omega, 1.05);
 }

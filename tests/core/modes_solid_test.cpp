@@ -77,7 +77,7 @@ const TriangleMesh kBar = shapes::box(8, 8, 24, 0.125);
 // second bending), Saint-Venant's torsion (J = 0.14058), a rod with Love's lateral inertia.
 constexpr double kBend = 0.5477, kTwist = 0.5965, kStretch = 1.0387, kSecondBend = 1.1206;
 
-// Counts whose product wraps in 32 bits to few cells, as on a thin wire along the diagonal of its box.
+// Counts whose product overflows 32 bits to a few cells, as for a thin wire along the diagonal of its box.
 TEST(LatticeGrid, hasFewCellsWhereTheyWouldBeBeyond32Bits) {
   const TriangleMesh box = {{{0, 0, 0}, {0.741, 0.5, 0.622}, {0.741, 0, 0}}, {{0, 1, 2}}};
   const LatticeGrid grid = latticeGrid(box, Vec3{0.741 / 1965, 0.5 / 1326, 0.622 / 1649});
@@ -161,7 +161,7 @@ TriangleMesh dumbbell(double thickness) {
 }
 
 TEST(SolidModes, aStrutThinnerThanACellBendsWithItsOwnThickness) {
-  // The two cubes (about: mass 1, inertia 1/6) turn against each other: G J / 2 by 2 angles in torsion (J =
+  // The two cubes (about: mass 1, inertia 1/6) rotate against each other: G J / 2 by 2 angles in torsion (J =
   // 0.1406 t^4), E I / 2 by 2 angles in bending. Cells are 1/2 wide, so the range of thicknesses changes
   // these by 10^4.
   for (double t : {0.2, 0.1, 0.05, 0.02}) {

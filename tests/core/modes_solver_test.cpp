@@ -53,7 +53,7 @@ TEST(EliminationOrder, takesEveryNodeOnceAndItsFrontsPointOnlyForwards) {
   }
 }
 
-// No separator divides nodes that are all coupled with each other, however many there are.
+// No separator divides nodes that are all coupled with each other, whatever their number.
 TEST(EliminationOrder, takesEveryNodeOfAMeshWhoseVerticesAreAllNeighbours) {
   for (const uint32_t vertexCount : {11u, 24u, 70u}) {
     TriangleMesh mesh;
@@ -122,7 +122,7 @@ TEST(EliminationOrder, keepsTheFactorOfARegularSheetNearNestedDissectionsOwn) {
             9 * 31 * n * std::log2(n) / 4);
 }
 
-// In wasm too, where a size has 32 bits: more than the memory there is must not look like next to nothing.
+// Also in wasm, where a size has 32 bits: a size beyond the memory must not overflow to a small one.
 TEST(Factorisation, knowsHowManyBytesItTakesHoweverManyTheseAre) {
   FactorStructure structure;
   structure.valueCount = uint64_t{1} << 33;
@@ -243,7 +243,7 @@ TEST(RoughSearch, missesNoPairAndIsGoodToFourDigits) {
 }
 
 // 2,500 equal oscillators, of which a single start vector finds one: inertia counts all others as missing. A
-// search for all of them at once takes hours.
+// search for all of them at once would take hours.
 TEST(RoughSearch, looksForAFewOfThousandsOfMissingPairsAtATime) {
   constexpr int kCount = 3000, kEqual = 2500;
   SparsePencil pencil;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Simulated bodies that the tests share, and what is measured of them.
+// Simulated bodies that the tests share, and their measures.
 
 #include <cmath>
 #include <cstddef>
@@ -38,7 +38,7 @@ inline std::vector<Vec3> struck(const TriangleMesh& mesh, double speed) {
   return velocities;
 }
 
-// That a closed mesh encloses with its vertices at these positions.
+// The volume that a closed mesh encloses with its vertices at these positions.
 inline double volumeOf(const std::vector<Vec3>& positions, const TriangleMesh& mesh) {
   double volume = 0;
   for (const Triangle& t : mesh.triangles)
@@ -47,7 +47,7 @@ inline double volumeOf(const std::vector<Vec3>& positions, const TriangleMesh& m
 }
 
 // Steps a body until measure() has changed its sign three times, at most `mostSteps` steps. Returns the time
-// between the first and the third change, interpolated between steps, in steps; 0 where there are fewer.
+// between the first and the third change, interpolated between steps, in steps; 0 if there are fewer.
 template <class Measure>
 double periodOf(Simulation& body, int mostSteps, Measure measure) {
   std::vector<double> crossings;
@@ -62,9 +62,10 @@ double periodOf(Simulation& body, int mostSteps, Measure measure) {
 }
 
 // The relative error of the frequency of a body that is struck in the shape of a mode, shape[3 v + c], for
-// the material that the mode was computed with. Striking instead of bending lets the unknowns that are no
-// vertices take on their part of the shape by themselves. The clock is the simulation's own step of 1/60 s,
-// so Young's modulus, which goes with the square of a frequency, is changed so that a period is a second.
+// the material that the mode was computed with. A start with velocities instead of displacements lets
+// unknowns other than vertices take their part of the shape by themselves. The step of the simulation is
+// fixed at 1/60 s, so Young's modulus, which is proportional to the square of a frequency, is changed so that
+// a period is a second.
 inline double frequencyError(const TriangleMesh& mesh, const Mode& mode, const float* shape,
                              SimulationOptions options) {
   const double period = 2 * std::numbers::pi / mode.omega;

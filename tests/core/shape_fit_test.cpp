@@ -93,7 +93,7 @@ double meanDistance(const TriangleMesh& mesh, const TriangleMesh& result) {
   return measureSurfaceDistance(mesh, result, {}, theJob).mean;
 }
 
-// Whether triangle t of the result is one of the original's, where it was.
+// Whether triangle t of the result is an unmoved triangle of the original.
 bool isUnchanged(const TriangleMesh& original, const MeshAt& result, uint32_t t) {
   for (int c = 0; c < 3; ++c)
     if (!(result.mesh.corner(t, c) == original.corner(result.inputOfTriangle[t], c))) return false;
@@ -203,7 +203,8 @@ TEST(ShapeFit, keepsFlatSidesEdgesAndCornersOfABar) {
   EXPECT_NEAR(sizesOf(after)[0], sizesOf(mesh)[0], 1e-5);
 }
 
-// The corner of a box belongs to three planes; that one of them has small triangles there must not free it.
+// The corner of a box belongs to three planes; it must not become free if one of them has small triangles
+// there.
 TEST(ShapeFit, movesNoCornerOfACoarseBoxWhoseSidesAreCutUnevenly) {
   TriangleMesh mesh = shapes::box(12, 3, 3, 0.25);
   for (Vec3& p : mesh.positions) p.x = 3 * std::pow(p.x / 3, 3);
@@ -312,7 +313,7 @@ TEST(FitSamples, areAsDenseOnLargeTrianglesAsOnTheMean) {
 }
 
 // Triangles that are closest to no sample of the original, here because a plate twice as fine lies on them,
-// would have nothing that holds them.
+// would be unconstrained.
 TEST(SurfaceFit, keepsThePlanesOfTrianglesThatNoSampleFinds) {
   TriangleMesh mesh = shapes::grid(2, 2);
   const Topology topology = buildTopology(mesh);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Real meshes that may lie beside the repository; the checks that use them are skipped without them.
+// Real meshes that may exist next to the repository; the tests that use them are skipped without them.
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace limber::shared_meshes {
 
-// Where the meshes are: $LIMBER_SHARED/meshes, or ../shared/meshes beside the repository. May not exist.
+// The folder of the meshes: $LIMBER_SHARED/meshes, or ../shared/meshes next to the repository. May not exist.
 inline std::filesystem::path folder() {
   const char* given = std::getenv("LIMBER_SHARED");
   const auto shared = given ? std::filesystem::path(given)

@@ -37,7 +37,7 @@ TEST(ShellSensitivity, isWhatMovingAVertexDoesToTheEigenvalue) {
   }
 }
 
-// A triangle flatter than kFlattestTriangle has the stiffness of one that is just as flat.
+// A triangle flatter than kFlattestTriangle has the stiffness of one of that flatness.
 TEST(ShellSensitivity, isTheDerivativeOfTheEnergyOfNeedlesToo) {
   constexpr double kThickness = 0.03, kPoisson = 0.3, kLambda = 2;
   Job job;

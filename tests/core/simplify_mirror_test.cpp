@@ -113,7 +113,7 @@ TEST(Mirror, closedBodiesStayClosedWithAndWithoutALargestDeviation) {
     }
 }
 
-// Where vertices are held on one side alone, or lie a little beside the images of their partners.
+// With vertices that are fixed on only one side, or that differ slightly from the images of their partners.
 TEST(Mirror, verticesThatAreHeldStayWhereTheyAre) {
   for (Doubled whole : {sheet(), box()})
     for (const Method method : kMethods) {

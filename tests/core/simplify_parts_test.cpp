@@ -12,7 +12,7 @@
 #include "simplify/quadric.h"
 #include "surfaces.h"
 
-// Tests of the parts that the collapse loop is made of.
+// Tests of the parts of the collapse loop.
 
 namespace limber {
 namespace {

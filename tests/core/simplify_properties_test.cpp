@@ -9,8 +9,8 @@
 #include "simplify/simplify.h"
 #include "surfaces.h"
 
-// What must be true for any mesh and any constraints. Seeded generators draw both; every failure names the
-// seed.
+// Properties that must hold for any mesh and any constraints. Seeded generators draw both; every failure
+// reports the seed.
 
 namespace limber {
 namespace {
@@ -53,7 +53,7 @@ TriangleMesh randomMesh(Random& random) {
   return surfaces::inFloats(shapes::jittered(mesh, noise, random.below(1000)));
 }
 
-// A mesh, fields and constraints in storage of their own.
+// A mesh, fields and constraints that own their storage.
 struct Trial {
   TriangleMesh mesh;
   std::vector<float> strain, curvature, keep, attributes;

@@ -81,7 +81,7 @@ TEST(WhyKept, aVertexWithinEightPercentOfTheLowestLegalCostGoesFirstWithLimber) 
   EXPECT_LE(first.next, 1.0801 * first.least);
 }
 
-// Neither method notices at once that a cost has fallen.
+// Neither method notices immediately that a cost has fallen.
 TEST(WhyKept, noVertexOfFourTimesTheLowestLegalCostGoesNextWithQemAndLimber) {
   for (const Method method : {Method::Qem, Method::Limber})
     for (const auto& [collapse, least, next] : nextCosts(makeCase(), method))

@@ -1,4 +1,4 @@
-// Bodies on balls and capsules, which touch them anywhere on their triangles.
+// Bodies on balls and capsules, with contacts anywhere on their triangles.
 
 #include <gtest/gtest.h>
 
@@ -153,7 +153,7 @@ TEST(SelfContacts, ofAFinePartInACoarseBodyAreInProportionToItsVertices) {
   EXPECT_LT(contacts.count(), 8 * size_t{mesh.vertexCount()});
 }
 
-// The mean of the edges at a vertex, or three times the second shortest where that is less.
+// The mean of the edges at a vertex, or three times the second shortest if that is less.
 double ballAt(const TriangleMesh& mesh, uint32_t vertex) {
   std::vector<double> edges;
   for (const auto& edge : buildTopology(mesh).edges)
@@ -214,7 +214,7 @@ TEST(SelfContacts, keepVerticesApartByTheirEdges) {
   }
 }
 
-// Folded in half, so that vertices of every size meet each other.
+// Folded in half, so that vertices of all sizes meet each other.
 TEST(SelfContacts, areAllPairsThatAComparisonOfEachWithEachFinds) {
   constexpr int kCells = 14;
   TriangleMesh mesh = shapes::grid(kCells, kCells);

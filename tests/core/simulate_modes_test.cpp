@@ -1,4 +1,4 @@
-// The simulated material against the modal analysis: a body that is struck in a mode swings with its
+// The simulated material compared with the modal analysis: a body that is struck in a mode vibrates with its
 // frequency.
 
 #include <gtest/gtest.h>
@@ -39,7 +39,8 @@ TriangleMesh gradedPlate(int cells) {
   return plate;
 }
 
-// Diagonals alternate, as in the flag: the mesh that half folds alone get wrong by 44 %.
+// Diagonals alternate, as in the union jack: with just half folds the frequencies of this mesh are off by 44
+// %.
 TriangleMesh unionJack(int cells) {
   TriangleMesh plate = shapes::grid(cells, cells);
   for (int j = 0; j < cells; ++j)
@@ -71,7 +72,7 @@ double inPlaneShare(const float* shape, uint32_t vertexCount) {
 // Of the lowest modes, with periods of `substeps` substeps.
 std::vector<Swing> swingModes(const TriangleMesh& mesh, double thickness, int modeCount, int substeps) {
   SimulationOptions options = moving_bodies::rubber(thickness, substeps / 60);
-  options.keepsVolume = false;  // the analysis has no inside
+  options.keepsVolume = false;  // the analysis has no volume constraint
   Job job;
   const ModeSet set = computeModes(mesh, {ElasticModel::Shell, modeCount, options.material}, job);
   std::vector<Swing> swings;

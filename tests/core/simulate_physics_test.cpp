@@ -1,4 +1,4 @@
-// Physics that any elastic body obeys, against the simulation.
+// The simulation compared with physics that any elastic body obeys.
 
 #include <gtest/gtest.h>
 
@@ -88,7 +88,7 @@ TEST(SimulatedPhysics, aBodyStruckHardReturnsToItsShape) {
 TEST(SimulatedPhysics, needlesDoNotTearABodyApart) {
   TriangleMesh mesh = shapes::torus(16, 8);
   for (uint32_t v = 0; v < mesh.vertexCount();
-       v += 3) {  // almost onto a neighbour: a thousandth of the way is left
+       v += 3) {  // almost onto a neighbour: a thousandth of the distance is left
     Vec3& p = mesh.positions[v];
     p += (mesh.positions[v + 1] - p) * 0.999;
   }

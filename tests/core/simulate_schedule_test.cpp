@@ -1,4 +1,4 @@
-// The phases of a step on threads, and the choice whether to use threads.
+// The phases of a step on threads, and the choice of the number of threads.
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(Helpers, threadsWithoutWorkTakePartAndEveryItemStillRunsOncePerRepeat) {
   setThreadCount(1);
 }
 
-// Makes steps that take threaded(step) or serial(step) seconds, as is chosen; returns the sum of their
+// Makes steps that take threaded(step) or serial(step) seconds, depending on the choice; returns their total
 // seconds.
 template <class Threaded, class Serial>
 double passed(ThreadChoice& choice, int steps, Threaded threaded, Serial serial) {

@@ -1,4 +1,4 @@
-// Closed bodies that move as solids, against physics and the solid modes.
+// Closed bodies that move as solids, compared with physics and the solid modes.
 
 #include <gtest/gtest.h>
 
@@ -80,7 +80,8 @@ TEST(SimulatedSolid, bodiesSwingWithTheFrequenciesOfTheSolidModes) {
     for (const double error : frequencyErrors(mesh, 4, 20)) EXPECT_LT(std::abs(error), 0.05);
 }
 
-// A wall of half a cell and a strut of less, which bend by the hourglass stiffness of single cells alone.
+// A wall of half a cell and a thinner strut, whose bending only depends on the hourglass stiffness of single
+// cells.
 TEST(SimulatedSolid, thinBodiesSwingWithTheFrequenciesOfTheSolidModes) {
   TriangleMesh plate = shapes::box(8, 1, 8, 0.25);
   for (Vec3& p : plate.positions) p.y *= 0.2;
@@ -88,7 +89,7 @@ TEST(SimulatedSolid, thinBodiesSwingWithTheFrequenciesOfTheSolidModes) {
 }
 
 TEST(SimulatedSolid, theStiffnessOfEveryCellIsThatOfTheSolidModes) {
-  // The energy of a small deformation that is not linear, against the quadratic form of the elements.
+  // The energy of a small nonlinear deformation, compared with the quadratic form of the elements.
   const TriangleMesh mesh = shapes::torus(16, 10);
   const LatticeBody body = latticeBody(mesh, {0.1, 0.1, 0.1}, rubber(20).material);
   double least = 1;
@@ -147,7 +148,7 @@ TEST(SimulatedSolid, aSpinningBodyKeepsSpinning) {
   }
 }
 
-// The torques on the axes of cells are taken up by their mean strain, so struck bodies do not start to spin.
+// The torques on the axes of cells are balanced by their mean strain, so struck bodies do not start to spin.
 TEST(SimulatedSolid, aStruckBodyKeepsItsMomentumAndAngularMomentum) {
   const TriangleMesh mesh = shapes::torus(16, 10);
   SolidState body(mesh, rubber(40), {});

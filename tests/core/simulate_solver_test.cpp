@@ -1,5 +1,5 @@
-// The solvers of the panel in motion, against their energies written down once more: small vibrations have
-// the frequencies of the stiffness that finite differences of the energy give.
+// The solvers of the panel in motion, compared with an independent implementation of their energies: small
+// vibrations have the frequencies of the stiffness from finite differences of the energy.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ double triangleEnergy(const Constraint& c, const Positions& rest, const Position
          (constants.stretch * (strain * strain).trace() + 0.5 * constants.secondStretch * trace * trace);
 }
 
-// A solver on a mesh, written down from solver_model.h and solver_constraints.h alone.
+// A solver on a mesh, implemented only from the descriptions in solver_model.h and solver_constraints.h.
 struct Reference {
   TriangleMesh mesh;
   SimulatedSolver solver;
@@ -252,7 +252,7 @@ std::vector<Vibration> vibrationsOf(const Reference& reference, int first, int l
   return vibrations;
 }
 
-// How many times its own period a struck vibration takes to swing, where substeps are a 9,600th of it.
+// The measured period of a struck vibration over its true one, with substeps of a 9,600th of it.
 double simulatedPeriod(Reference reference, const Vibration& vibration) {
   const double period = 2 * std::acos(-1.0) / vibration.omega;
   SolverConstants& constants = reference.solver.constants;
@@ -275,8 +275,8 @@ double simulatedPeriod(Reference reference, const Vibration& vibration) {
   return moving_bodies::periodOf(body, 90, share) / 40;
 }
 
-// What is left is XPBD's own error, which falls with the substep: the softest vibration of springs is a
-// hundredth too slow at 240 substeps, half of that here, and four times that at 60.
+// The remainder is the error of XPBD, which falls with the substep: the softest vibration of springs is 1 %
+// too slow at 240 substeps, half of that here, and four times that at 60.
 TEST(SimulatedSolvers, smallVibrationsHaveTheFrequenciesOfTheLinearStiffness) {
   const TriangleMesh mesh = arch(4);
   for (const SimulatedSolver& solver : panel())

@@ -46,7 +46,7 @@ std::vector<Vec3> randomlyMoved(std::span<const Vec3> positions, double size, ui
   return shapes::jittered(mesh, size, seed).positions;
 }
 
-// An uneven closed surface and an uneven open one.
+// An irregular closed surface and an irregular open one.
 std::vector<TriangleMesh> bodies() {
   return {shapes::jittered(shapes::sphere(1), 0.15, 3), shapes::jittered(shapes::grid(4, 3), 0.06, 4)};
 }
@@ -119,8 +119,9 @@ TEST(SolverConstraints, haveTheEnergyOfAUniformlyStretchedSheet) {
   EXPECT_NEAR(energy(constraints, moved), expected, 1e-12 * expected);
 }
 
-// The derivative of J^T strain by positions, by central differences: it is J^T J and the stress stiffness,
-// but that the latter counts along a spring too. Tension alone is all where a constraint is stretched.
+// The derivative of J^T strain with respect to positions, by central differences: it is J^T J plus the stress
+// stiffness, except that the latter also acts along a spring. If a constraint is stretched, tension is all of
+// the stress.
 TEST(SolverConstraints, haveASecondDerivativeOfJacobiansAndStress) {
   constexpr double step = 1e-6;
   const TriangleMesh mesh = shapes::jittered(shapes::grid(1, 1), 0.1, 2);
@@ -191,9 +192,9 @@ TEST(SolverConstraints, haveTheEnergyOfSpringsThatStretch) {
 }
 
 // A strip along x rolled around a cylinder about y without stretch: all edges across it fold by the same
-// angle, cell / R, and the diagonals by none. Half of the outermost cells on both sides is not beside an
-// inner edge. Hinges by area have three times the energy 1/2 D / R^2 per area of a plate with this D,
-// whatever the cells' sides.
+// angle, cell / R, and the diagonals by none. Half of the outermost cells on both sides is not adjacent to an
+// interior edge. Hinges by area have three times the energy 1/2 D / R^2 per area of a plate with this D, for
+// cells of any shape.
 TEST(SolverConstraints, haveTheEnergyOfASheetThatIsRolledUp) {
   constexpr int cells = 12;
   constexpr double width = 3, height = 0.7, radius = 2;

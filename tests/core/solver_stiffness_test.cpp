@@ -46,7 +46,7 @@ double energyOf(const SolverConstraints& constraints, const std::vector<double>&
   return sum;
 }
 
-// A free body in a solver, with the constants of solver_models. Refers to the mesh.
+// A free body in a solver, with the constants of solver_models. Keeps a reference to the mesh.
 struct FreeBody {
   SolverStiffness stiffness;
   SolverVibration vibration;
@@ -268,12 +268,12 @@ TEST(SolverVibration, FindsAFlatSheetOfSpringsWithoutResistance) {
   const SolverModel springs{StretchElement::EdgeSprings, BendElement::CrossSprings, MassRule::Area};
   Job job;
   const auto& [stiffness, vibration] = FreeBody(mesh, springs, job);
-  // Every vertex moves out of the plane for nothing; three of these motions are rigid.
+  // Every vertex moves out of the plane without resistance; three of these motions are rigid.
   EXPECT_GE(vibration.countNoise(ones(stiffness), job), mesh.vertexCount() - 3);
 }
 
-// Each sheet but one turns about the shared edge. Hinges span edges of two triangles alone, Morley's element
-// all of them.
+// Each sheet but one swings about the shared edge. Hinges only span edges with two triangles, Morley's
+// element all edges.
 TEST(SolverVibration, CountsSheetsThatSwingAboutAnEdge) {
   Job job;
   for (const int sheets : {3, 7}) {
@@ -288,7 +288,7 @@ TEST(SolverVibration, CountsSheetsThatSwingAboutAnEdge) {
   }
 }
 
-// Two sheets that share a corner turn about it in three ways.
+// Two sheets that share a corner rotate about it in three ways.
 TEST(SolverVibration, CountsSheetsThatTurnAboutAVertex) {
   Job job;
   TriangleMesh mesh = shapes::grid(6, 6);

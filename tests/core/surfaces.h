@@ -24,8 +24,8 @@ inline TriangleMesh inFloats(TriangleMesh mesh) {
 
 using Voxel = std::array<int, 3>;
 
-// The surface of a set of unit cubes, two triangles a side, welded. Cubes that meet in an edge or a corner
-// alone make it non-manifold there.
+// The surface of a set of unit cubes, two triangles a side, welded. Where cubes meet only in an edge or a
+// corner, it is non-manifold.
 inline TriangleMesh voxelSurface(const std::set<Voxel>& voxels) {
   std::vector<float> positions;
   std::vector<uint32_t> indices;
