@@ -12,7 +12,7 @@ export const core = {
   simulate: ['base', 'mesh', 'elastic'],
   transfer: ['base', 'mesh', 'query', 'simplify', 'simulate'],
   modes: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify'],
-  compare: ['base', 'mesh', 'linear', 'query', 'elastic', 'simulate', 'transfer'],
+  compare: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify', 'simulate', 'transfer', 'modes'],
   fit: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify', 'simulate', 'transfer', 'modes', 'compare'],
 };
 

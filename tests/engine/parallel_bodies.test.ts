@@ -15,7 +15,7 @@ import { STAGES } from '../../web/engine/stages/stages';
 import { loadTestCore } from './support/core';
 import { addMesh, glbFile, primitiveOf, startDocument } from './support/gltf';
 import { cube } from './support/shapes';
-import { ball, moved, partsScene } from './support/scenes';
+import { ball, moved, partsBody, partsScene } from './support/scenes';
 
 const SHELL = { model: 'shell' as const, young: 1e6, poisson: 0.3, density: 1000, thickness: 0.02, unit: 1 };
 
@@ -206,6 +206,19 @@ describe('progress on many bodies', () => {
       expect(Math.max(...leaps(reducing))).toBeLessThan(threads > 1 ? 0.2 : 0.02);
       expect(again).toEqual([]);
     });
+});
+
+describe('a comparison of bodies of many parts', () => {
+  it('solves for the modes of small parts together, as findModes does', async () => {
+    const phases = new Set<string>();
+    const watching = await loadTestCore(1, ({ phase }) => phases.add(phase));
+    const [body, other] = [partsBody(3), moved(partsBody(3), (x, y, z) => [x, 1.1 * y, z])];
+    const found = watching.compareFidelity(body, other, { ...SHELL, modeCount: 4 });
+    expect(phases).toContain('solving for modes');
+    expect(phases).not.toContain('assembling matrices'); // that is for a part alone
+    expect(found.frequencyErrorMean).toBeGreaterThan(1);
+    expect(core.compareFidelity(body, other, { ...SHELL, modeCount: 4 })).toEqual(found);
+  });
 });
 
 describe('parallel calls', () => {

@@ -7,6 +7,7 @@
 
 #include "compare/assignment.h"
 #include "mesh/topology.h"
+#include "modes/find_modes.h"
 #include "transfer/shape_transfer.h"
 
 namespace limber {
@@ -18,7 +19,7 @@ constexpr double kNeighbourhood = 0.10;  // modes within this relative distance 
 
 // The lowest modes of a body's shell, as columns over its vertices.
 ModeBasis lowestShellModes(const TriangleMesh& mesh, const ElasticMaterial& material, int count, Job& job) {
-  const ModeSet set = computeModes(mesh, {ElasticModel::Shell, count, material}, job);
+  const ModeSet set = findModes(mesh, {ElasticModel::Shell, count, material}, true, job);
   return lowestModes(set, buildTopology(mesh).componentOfVertex, static_cast<size_t>(count));
 }
 

@@ -24,7 +24,7 @@ struct FidelityOptions {
 };
 
 // The first 2 * options.modeCount modes of a body's shell over all of its parts, as compareFidelity solves
-// for them: see lowestModes. Throws as computeModes.
+// for them: see lowestModes. Throws as findModes.
 ModeBasis shellModes(const TriangleMesh& mesh, const FidelityOptions& options, Job& job);
 
 // The fields frequencyErrorMean and frequencyErrorMax of Fidelity.
@@ -32,18 +32,18 @@ struct FrequencyErrors {
   double mean = 0, max = 0;
 };
 
-// Only the errors of the first options.modeCount frequencies, at a sixth of the cost of compareFidelity.
-// `modes`: the shellModes of the original with the same options. Throws as computeModes, and
+// The errors of the first options.modeCount frequencies alone, where `modes` are the shellModes of the
+// original with the same options: a sixth of the work of compareFidelity. Throws as findModes, and
 // std::invalid_argument if `modes` do not fit the original.
 FrequencyErrors frequencyErrors(const TriangleMesh& original, const ModeBasis& modes,
                                 const TriangleMesh& other, const FidelityOptions& options, Job& job);
 
-// Throws as computeModes.
+// Throws as findModes.
 Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job);
 
-// Only Fidelity::calibrationFactor, in a fraction of the time: with this factor on its Young's modulus,
-// `other` matches the first frequencies of the original. Throws as computeModes.
+// Fidelity::calibrationFactor alone, for a fraction of the time: with this factor on its Young's modulus,
+// `other` has the first frequencies of the original. Throws as findModes.
 double calibrationFactor(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job);
 
