@@ -32,8 +32,8 @@ struct FrequencyErrors {
   double mean = 0, max = 0;
 };
 
-// The errors of the first options.modeCount frequencies alone, where `modes` are the shellModes of the
-// original with the same options: a sixth of the work of compareFidelity. Throws as findModes, and
+// Only the errors of the first options.modeCount frequencies, at a sixth of the cost of compareFidelity.
+// `modes`: the shellModes of the original with the same options. Throws as findModes, and
 // std::invalid_argument if `modes` do not fit the original.
 FrequencyErrors frequencyErrors(const TriangleMesh& original, const ModeBasis& modes,
                                 const TriangleMesh& other, const FidelityOptions& options, Job& job);
@@ -42,8 +42,8 @@ FrequencyErrors frequencyErrors(const TriangleMesh& original, const ModeBasis& m
 Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job);
 
-// Fidelity::calibrationFactor alone, for a fraction of the time: with this factor on its Young's modulus,
-// `other` has the first frequencies of the original. Throws as findModes.
+// Only Fidelity::calibrationFactor, in a fraction of the time: with this factor on its Young's modulus,
+// `other` matches the first frequencies of the original. Throws as findModes.
 double calibrationFactor(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job);
 

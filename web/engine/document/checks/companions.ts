@@ -31,7 +31,7 @@ export function addCompanions(
       `${main.name} refers to ${excerpt(escaping)}, which is outside its folder and is therefore not read: put the file beside it and refer to it without a path.`,
     );
   if (buffers.length === 0) return images;
-  const [verb, these] = buffers.length === 1 ? ['is', 'it'] : ['are', 'them'];
+  const verb = buffers.length === 1 ? 'is' : 'are';
   throw new Error(
     `${main.name} needs ${listed(buffers)}, which ${verb} missing: open the whole folder, or put the missing files beside it.`,
   );
