@@ -39,8 +39,12 @@ function endWithoutBatch(): void {
 }
 
 function coreFor(threads: number): Promise<Core> {
-  if (loaded?.threads !== threads) loaded = { threads, core: loadSessionCore(threads, endWithoutBatch) };
-  return loaded.core;
+  if (loaded?.threads === threads) return loaded.core;
+  const core = loadSessionCore(threads, endWithoutBatch);
+  loaded = { threads, core };
+  // What failed may have been the machine, so that the next asset tries again.
+  core.catch(() => (loaded = null));
+  return core;
 }
 
 async function work(order: WorkOrder): Promise<WorkDone> {
