@@ -74,7 +74,7 @@ const COMMON: Flag[] = [
   },
   {
     name: 'dry-run',
-    help: 'Check everything, say what would be written, and write nothing.',
+    help: 'Check all that can be known without solving, say what would be written, and write nothing.',
     group: 'output',
   },
   {
