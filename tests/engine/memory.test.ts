@@ -5,6 +5,7 @@ import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, afterEach, describe, expect, it } from 'vitest';
+import type { Core } from '../../web/engine/core/core';
 import { coreMemory, readMegabytes } from '../../web/engine/core/memory_size';
 import { loadCore } from '../../web/engine/core/load_core';
 import type { Body } from '../../web/engine/document/model';
@@ -13,7 +14,9 @@ import { defaultSettings } from '../../web/engine/settings/options';
 import { admitBodies } from '../../web/engine/stages/admission';
 import type { Caller } from '../../web/engine/stages/admission';
 import { FileRun } from '../../web/engine/stages/file_run';
+import { WorkSession } from '../../web/library/work/session';
 import { loadTestCore } from './support/core';
+import { SQUARE_OBJ, textFile } from './support/files';
 import { addMesh, glbFile, primitiveOf, startDocument } from './support/gltf';
 import { ball } from './support/scenes';
 
@@ -107,6 +110,12 @@ describe('a model that needs more', () => {
     expect(() => admitBodies([body], limit(256, 'page'))).toThrow(
       `${needs}: add ?memory=4G to the address, or reduce the mesh in parts.`,
     );
+  });
+
+  it('is refused in the library in a sentence without flags', async () => {
+    const model = await openModel([textFile('a.obj', SQUARE_OBJ)]);
+    const session = new WorkSession({ heapLimit: 100 } as Core, defaultSettings(), () => {});
+    expect(() => session.prepare(model)).toThrow(/ GB: reduce the mesh in parts\.$/);
   });
 
   it('is refused if only its fit needs more, unless there is no fit', async () => {

@@ -14,7 +14,7 @@ export interface MemoryLimit {
   caller: Caller;
 }
 
-export type Caller = 'command line' | 'page';
+export type Caller = 'command line' | 'page' | 'library';
 
 /** Throws an Error where a body has more faces than any method can work on within `heapLimit` bytes. */
 export function admitBodies(bodies: readonly Body[], { heapLimit, caller }: MemoryLimit): void {
@@ -47,6 +47,7 @@ const CURES: Record<Caller, { reduced: string; fitted: string }> = {
     fitted: 'use --fit off, give it more (--memory, at most 4G) or reduce the mesh in parts',
   },
   page: { reduced: ON_PAGE, fitted: ON_PAGE },
+  library: { reduced: 'reduce the mesh in parts', fitted: 'give fit "off", or reduce the mesh in parts' },
 };
 
 interface MemoryShortage {

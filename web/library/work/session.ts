@@ -62,7 +62,8 @@ export class WorkSession {
     const onActivity = (body: string): void => {
       this.where.body = body;
     };
-    const file = new FileRun(this.core, model, { chosen: this.chosen(model), guides, onActivity, onStage });
+    const options = { chosen: this.chosen(model), guides, onActivity, onStage, caller: 'library' } as const;
+    const file = new FileRun(this.core, model, options);
     this.files.push(file);
     this.warn(preparedWarnings(file, this.settings));
     return file;
