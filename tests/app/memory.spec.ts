@@ -16,7 +16,7 @@ test('a model that needs more memory than there is gets a sentence, and what is 
   const started = Date.now();
   await drop(page, million);
   await expect(page.getByRole('alert')).toContainText(
-    /million has 1,002,528 faces, for which the core takes about .* GB of memory, and it may have 0\.5 GB/,
+    /million has 1,002,528 faces, for which the core needs about .* GB of memory, but it may use only 0\.5 GB/,
   );
   test.info().annotations.push({
     type: 'seconds to the sentence',

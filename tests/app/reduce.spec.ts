@@ -179,7 +179,7 @@ test('a card says why a vertex is kept, by pointer and by its number', { tag: '@
   await page.getByLabel('Why is vertex').fill('7');
   const card = page.locator('.why');
   await expect(card).toContainText('Vertex 7');
-  await expect(card).toContainText(/\d+ % of the vertices go before it|It cannot go/);
+  await expect(card).toContainText(/\d+ % of the vertices are removed before it|It cannot be removed/);
   await expect(card.locator('li').first()).toContainText('%');
   await page.keyboard.press('Escape');
   await expect(card).toHaveCount(0);

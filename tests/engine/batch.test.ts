@@ -285,7 +285,9 @@ describe('limber batch', () => {
     writeFileSync(path('out/.limber-batch/manifest.json'), '{"schema":"limber-batchmanifest/1","assets":[');
     const { code, stderr } = batch();
     expect([code, totals().unchanged]).toEqual([0, 0]);
-    expect(stderr).toContain('manifest.json is damaged or of another version: all assets are done again');
+    expect(stderr).toContain(
+      'manifest.json is damaged or of another version: all assets are processed again',
+    );
     expect(bytes('out/ring.glb').equals(before)).toBe(true);
     expect([batch().code, totals().unchanged]).toEqual([0, 2]);
   });
@@ -293,7 +295,7 @@ describe('limber batch', () => {
   it.runIf(process.platform === 'linux')('fails only the asset that takes more memory than a job may', () => {
     const { code, stderr } = batch('--memory', '64', '--quiet');
     expect(code).toBe(1);
-    expect(stderr).toContain('limber: ring.obj: takes more than the 64 MB of a job: give more with --memory');
+    expect(stderr).toContain('limber: ring.obj: needs more than the 64 MB of a job: raise --memory');
   });
 
   it('lets one batch at a time work on a folder, and takes over what a killed one left', async () => {
@@ -351,7 +353,7 @@ describe('--from', () => {
     expect(off.stdout.toString()).toMatch(/^stdin.off: OFF, 1 body\n/);
     expect(run('--from', 'fbx').stderr.toString()).toMatch(/--from is fbx: give one of glb, gltf/);
     expect(limber('inspect', 'src/ring.obj', '--from', 'obj').stderr).toMatch(
-      /--from is about a model from stdin/,
+      /--from applies to a model read from stdin/,
     );
   });
 });

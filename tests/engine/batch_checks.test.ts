@@ -53,13 +53,13 @@ describe('before any work limber batch', () => {
   it.skipIf(!isReachable)('refuses a folder that the system does not let it write into', () => {
     mkdirSync(path('closed/.limber-batch'), { recursive: true });
     chmodSync(path('closed/.limber-batch'), 0o555);
-    const closed = 'closed cannot be written: the folder does not allow it, so choose another one.';
+    const closed = 'closed cannot be written: the folder is write-protected, so choose another one.';
     if (nobody === undefined) refuses(['src', 'closed'], closed);
     chmodSync(path('closed'), 0o555);
     refuses(['src', 'closed'], closed, nobody);
     refuses(
       ['src', 'closed/x/y'],
-      `closed/x/y cannot be written: ${path('closed')} does not allow it, so choose another one.`,
+      `closed/x/y cannot be written: ${path('closed')} is write-protected, so choose another one.`,
       nobody,
     );
     for (const name of ['closed', 'closed/.limber-batch']) chmodSync(path(name), 0o755);
@@ -112,7 +112,7 @@ describe('before any work limber batch', () => {
       ],
     });
     const told = (i: number, pattern: string) =>
-      `limber: b.json: overrides[${i}].files has "${pattern}", with which no asset agrees: check its spelling.\n`;
+      `limber: b.json: overrides[${i}].files has "${pattern}", which matches no asset: check its spelling.\n`;
     const words = ['src', 'out', '--config', 'b.json'];
     const both = told(0, 'hreo/**') + told(1, 'nope/**');
     expect(batch([...words, '--dry-run'])).toMatchObject({ code: 0, stderr: both });

@@ -83,15 +83,15 @@ describe('configurations', () => {
 
   it.each([
     ['{', /^b\.json is not JSON, from line 1, column 2: check its commas, quotes and brackets\.$/],
-    ['[]', /^b\.json is no object/],
+    ['[]', /^b\.json is not an object/],
     [
       '{"schema":"limber-batch/9"}',
       /^b\.json has the schema "limber-batch\/9": give "schema": "limber-batch\/1"\.$/,
     ],
-    ['{"schema":"limber-batch/1","option":{}}', /^b\.json has "option", which is not known/],
+    ['{"schema":"limber-batch/1","option":{}}', /^b\.json has "option", which is unknown/],
     ['{"schema":"limber-batch/1","options":{"ratio":2}}', /options: ratio is 2: give a number above 0/],
     ['{"schema":"limber-batch/1","options":{"toString":2}}', /options: there is no option "toString"/],
-    ['{"schema":"limber-batch/1","options":{"threads":2}}', /threads is about the machine/],
+    ['{"schema":"limber-batch/1","options":{"threads":2}}', /threads depends on the machine/],
     [
       '{"schema":"limber-batch/1","overrides":[{"files":"a","options":{"fit":"x"}}]}',
       /^b\.json: overrides\[0\]\.options: fit is "x": give one of surface/,

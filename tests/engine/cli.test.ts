@@ -171,11 +171,11 @@ describe('limber optimize', () => {
     const kept = limber('optimize', 'quilt.obj', 'out.glb', '--ratio', '0.25');
     expect(kept.code).toBe(2);
     expect(kept.stderr).toMatch(
-      /Stopped at 576 faces, not 144: .* 100 % break a seam, a border or a lock; --seams cross lets them give way\.\n$/,
+      /Stopped at 576 faces, not 144: .* 100 % break a seam, a border or a lock; --seams cross lets collapses cross seams\.\n$/,
     );
     const level = limber('optimize', 'quilt.obj', 'out.glb', '--ratio', '1', '--lods', '0.25');
     expect(level.stderr).toMatch(
-      /out_lod1\.glb: Stopped at 576 faces, not 144: .*; --seams cross lets them give way\.\n$/,
+      /out_lod1\.glb: Stopped at 576 faces, not 144: .*; --seams cross lets collapses cross seams\.\n$/,
     );
     const crossed = limber(
       ...'optimize quilt.obj out.glb --ratio 0.25 --max-deviation 0 --seams cross'.split(' '),
@@ -363,7 +363,7 @@ describe('limber optimize', () => {
     for (const { faces, binding } of bodies)
       for (const triangle of binding.triangle) expect(triangle).toBeLessThan(faces);
     expect(limber('optimize', 'torus.obj', 'a.glb', '--bind', 'none/a.json').stderr).toBe(
-      'limber: The folder none does not exist: make it first.\n',
+      'limber: The folder none does not exist: create it first.\n',
     );
   });
 
@@ -503,11 +503,11 @@ describe('a wrong command line', () => {
     ['optimize torus.obj a.glb b.glb', '"b.glb" is one file too many: limber optimize IN OUT.'],
     [
       'optimize torus.obj a.stl',
-      'a.stl is not a .glb: GLB, glTF, OBJ, PLY and ZIP can be written, so let the name end in .glb, .gltf, .obj, .ply or .zip.',
+      'a.stl is not a .glb: GLB, glTF, OBJ, PLY and ZIP can be written, so give a name that ends in .glb, .gltf, .obj, .ply or .zip.',
     ],
-    ['optimize torus.obj none/a.glb', 'The folder none does not exist: make it first.'],
+    ['optimize torus.obj none/a.glb', 'The folder none does not exist: create it first.'],
     ['optimize none.obj a.glb', 'none.obj cannot be read: there is no such file.'],
-    ['optimize folder a.glb', 'folder is a folder: name the model file in it.'],
+    ['optimize folder a.glb', 'folder is a folder: give the model file in it.'],
     ['optimize bad.obj a.glb', 'bad.obj, line 1: z is nan, not a finite number.'],
     ['optimize torus.obj a.glb --ratoi 0.5', 'limber optimize has no --ratoi: did you mean --ratio?'],
     [
@@ -526,7 +526,7 @@ describe('a wrong command line', () => {
     ],
     [
       'optimize torus.obj a.glb --mode 1,x',
-      '--mode is 1,x: give auto, all, or numbers from 1 to 100 with commas (default: auto).',
+      '--mode is 1,x: give auto, all, or numbers from 1 to 100 separated by commas (default: auto).',
     ],
     [
       'modes grid.obj --model solid',
@@ -547,7 +547,7 @@ describe('a wrong command line', () => {
     ],
     [
       'optimize torus.obj a.glb --lods 0.5,0',
-      '--lods is 0.5,0: give numbers from 0.0001 to 1 with commas (default: none).',
+      '--lods is 0.5,0: give numbers from 0.0001 to 1 separated by commas (default: none).',
     ],
     [
       'optimize torus.obj a.glb --lock low',
@@ -567,28 +567,28 @@ describe('a wrong command line', () => {
     ['simulate torus.obj --calibrate', '--calibrate matches B to A: name both files.'],
     [
       'simulate torus.obj torus.obj --calibrate --settings s.json',
-      '--calibrate is for no solver, and --settings is tuned for one: leave one of them out.',
+      '--calibrate cannot be combined with --settings, which is tuned for a solver: leave one of them out.',
     ],
     [
       'simulate torus.obj torus.obj --calibrate --material springs',
-      '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
+      '--calibrate does not work with --material springs, which has no bending stiffness to scale: give --material shell.',
     ],
-    ['simulate torus.obj --bind a.json', '--bind carries pins over to B, which is missing: name both files.'],
+    ['simulate torus.obj --bind a.json', '--bind transfers pins to B, which is missing: name both files.'],
     [
       'tune torus.obj torus.obj --solver jolt --settings s.json --engine compliance',
-      '--engine compliance is neither name=value nor a file: give name=value with commas between.',
+      '--engine compliance is neither name=value nor a file: give name=value, separated by commas.',
     ],
     [
       'tune torus.obj torus.obj --solver mujoco --settings s.json --bend-ratio 0.1',
-      '--bend-ratio is for springs and dihedral without a bend of --engine: leave it out, and give mujoco its own numbers by --engine.',
+      '--bend-ratio is for springs and dihedral if no bend constant is given in --engine: leave it out, and give mujoco its own numbers by --engine.',
     ],
     [
       'simulate torus.obj torus.obj --solver jolt --settings s.json --engine compliance=1',
-      '--engine is given beside a settings file, which has what the original was tuned to: leave one of them out.',
+      '--engine is given together with a settings file, which already has the parameters of the original: leave one of them out.',
     ],
     [
       'simulate torus.obj torus.obj --solver jolt --settings s.json --mass area',
-      '--mass is given beside a settings file, which has what the original was tuned to: leave one of them out.',
+      '--mass is given together with a settings file, which already has the parameters of the original: leave one of them out.',
     ],
     ['simulate torus.obj torus.obj --bind none.json', 'none.json cannot be read: there is no such file.'],
     ['compare torus.obj two.obj', 'torus.obj has 1 body and two.obj has 2: compare one with --mesh NAME.'],
@@ -649,18 +649,18 @@ describe('limber modes', () => {
       code: 1,
       stdout: '',
       stderr:
-        'limber: Body "line" has no modes: its triangles have no area, so give it some that are not flat.\n',
+        'limber: Body "line" has no modes: its triangles have no area, so repair the mesh and export it again.\n',
     });
     writeFileSync(path('lines.obj'), `${toObj(grid(2, 2))}${line}`);
     const { code, stderr } = limber('modes', 'lines.obj');
     expect([code, stderr]).toEqual([
       0,
-      'limber: line: no modes: its triangles have no area, so give it some that are not flat.\n',
+      'limber: line: no modes: its triangles have no area, so repair the mesh and export it again.\n',
     ]);
     const held = limber('modes', 'grid.obj', '--pins', 'low:100');
     expect([held.code, held.stderr]).toEqual([
       1,
-      'limber: Body "grid" has no modes: its pins hold all that could move, so pin less.\n',
+      'limber: Body "grid" has no modes: its pins hold everything that could move, so pin fewer vertices.\n',
     ]);
   });
 

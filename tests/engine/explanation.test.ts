@@ -29,13 +29,16 @@ describe('the explanation of a kept vertex', () => {
   });
 
   it('says how many of the removable vertices are removed before it', () => {
-    expect(explain(why, 0).sentence).toBe('0 % of the vertices go before it.');
-    expect(explain(why, 1).sentence).toBe('33 % of the vertices go before it.');
-    expect(explain(why, 2)).toMatchObject({ sentence: '67 % of the vertices go before it.', keep: 50 });
+    expect(explain(why, 0).sentence).toBe('0 % of the vertices are removed before it.');
+    expect(explain(why, 1).sentence).toBe('33 % of the vertices are removed before it.');
+    expect(explain(why, 2)).toMatchObject({
+      sentence: '67 % of the vertices are removed before it.',
+      keep: 50,
+    });
   });
 
   it('says why its collapses are refused', () => {
-    expect(explain(why, 3).sentence).toBe('It cannot go: the topology would change.');
+    expect(explain(why, 3).sentence).toBe('It cannot be removed: the topology would change.');
   });
 
   it('has no reasons if nothing costs anything', () => {

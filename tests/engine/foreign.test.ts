@@ -104,7 +104,7 @@ describe('an unknown extension', () => {
       ['ACME_hair'],
     );
     expect(await failureOf(() => check(model))).toMatch(
-      /does not name ACME_hair, which test\.glb has on mesh 0, primitive 0, whose vertices change: name it to leave it out, or keep the body as it is by .* "rich"\.$/,
+      /does not list ACME_hair, which test\.glb has on mesh 0, primitive 0, whose vertices change: add it to leave it out, or keep the body unchanged with .* "rich"\.$/,
     );
     expect(check(model, 'ACME_*').lost).toEqual(['extension ACME_hair']);
     const { lost } = checkWritten(model, [], { name: 'a.glb', settings: defaultSettings('limber') });

@@ -23,10 +23,10 @@ describe('a note', () => {
   it('about residuals appears if these are large', () => {
     expect(describeResiduals([{ residual: 1e-9 }])).toEqual([]);
     expect(describeSolve([{ residual: 1e-9 }, { residual: 1e-6 }], 0).map(inFlags)).toEqual([
-      'the largest residual of the modes is 1.0e-6: needle triangles leave their last digits to rounding',
+      'the largest residual of the modes is 1.0e-6: with needle triangles their last digits are rounding errors',
     ]);
     expect(describeResiduals([0.9, 1e-5, 11].map((residual) => ({ residual })))).toEqual([
-      'the largest residual of the modes is 1.1e+1: needle triangles leave 2 modes to rounding',
+      'the largest residual of the modes is 1.1e+1: with needle triangles 2 modes consist of rounding errors',
     ]);
   });
 });

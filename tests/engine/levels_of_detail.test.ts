@@ -86,7 +86,7 @@ describe('levels of detail of a file', () => {
     const check = (lodStyle: 'msft' | 'files') =>
       checkWritten(model, [0, 1], { name: 'a.glb', settings: { ...settings, lods: [0.5], lodStyle } });
     expect(await failureOf(() => check('msft'))).toBe(
-      '“Levels go into” would put levels into test.glb, which has levels of detail already: take files, or leave out “Further levels”.',
+      '“Levels go into” would put levels into test.glb, which already has levels of detail: give files, or leave out “Further levels”.',
     );
     expect(check('files').lost).toEqual([]);
   });

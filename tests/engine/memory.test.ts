@@ -103,9 +103,9 @@ describe('a model that needs more', () => {
     const body = { name: 'city', indices: new Uint32Array(3 * 1_000_000) } as Body;
     expect(() => admitBodies([body], limit(512, 'page'))).not.toThrow();
     const needs =
-      'city has 1,000,000 faces, for which the core takes about 0.4 GB of memory, and it may have 0.3 GB';
+      'city has 1,000,000 faces, for which the core needs about 0.4 GB of memory, but it may use only 0.3 GB';
     expect(() => admitBodies([body], limit(256, 'command line'))).toThrow(
-      `${needs}: give it more (--memory, at most 4G) or reduce the mesh in parts.`,
+      `${needs}: raise --memory (at most 4G), or reduce the mesh in parts.`,
     );
     expect(() => admitBodies([body], limit(256, 'page'))).toThrow(
       `${needs}: add ?memory=4G to the address, or reduce the mesh in parts.`,
@@ -126,7 +126,7 @@ describe('a model that needs more', () => {
     const core = { ...(await loadTestCore(1)), heapLimit: 600 * faces };
     const settings = defaultSettings();
     const run = (guides: boolean) => new FileRun(core, model, { guides });
-    expect(() => run(true).prepare(settings)).toThrow(/^ball has .*: use --fit off, give it more/);
+    expect(() => run(true).prepare(settings)).toThrow(/^ball has .*: use --fit off, raise --memory/);
     expect(run(true).prepare({ ...settings, fit: 'off' })).toEqual([]);
     expect(run(false).prepare(settings)).toEqual([]);
   });
@@ -138,7 +138,7 @@ describe('a model that needs more', () => {
     const words = ['optimize', input, output, '--memory', '64M'];
     const { status, stderr } = spawnSync(process.execPath, [program, ...words], { encoding: 'utf8' });
     expect(stderr.trim().split('\n')).toEqual([
-      expect.stringMatching(/^limber: large has 200,000 faces, .*: give it more \(--memory, at most 4G\)/),
+      expect.stringMatching(/^limber: large has 200,000 faces, .*: raise --memory \(at most 4G\)/),
     ]);
     expect([status, existsSync(output)]).toEqual([1, false]);
   });

@@ -72,14 +72,17 @@ describe('settings', () => {
   it.each([
     [{ method: 'best' }, '--method is best: give one of limber, paper, qem (default: limber).'],
     [{ modeCount: 1.5 }, '--modes is 1.5: give a whole number from 1 to 100 (default: 12).'],
-    [{ modes: [0] }, '--mode is 0: give auto, all, or numbers from 1 to 100 with commas (default: auto).'],
+    [
+      { modes: [0] },
+      '--mode is 0: give auto, all, or numbers from 1 to 100 separated by commas (default: auto).',
+    ],
     [
       { modes: [2, 2] },
-      '--mode is 2,2: give auto, all, or numbers from 1 to 100 with commas (default: auto).',
+      '--mode is 2,2: give auto, all, or numbers from 1 to 100 separated by commas (default: auto).',
     ],
     [
       { modes: [] },
-      '--mode is an empty list: give auto, all, or numbers from 1 to 100 with commas (default: auto).',
+      '--mode is an empty list: give auto, all, or numbers from 1 to 100 separated by commas (default: auto).',
     ],
     [
       { modes: [1, 20] },

@@ -112,13 +112,15 @@ describe('an output is refused where it is', () => {
 
   it('another output, under the same name or through a link', async () => {
     expect(await refusal(at('in.obj'), at('out.glb'), '--bind', at('a.json'), '--report', at('a.json'))).toBe(
-      'a.json (--bind) and a.json (--report) are one file: choose another name for one of them.',
+      'a.json (--bind) and a.json (--report) are the same file: choose another name for one of them.',
     );
     symlinkSync(at('out.glb'), at('link.json'));
-    expect(await refusal(at('in.obj'), at('out.glb'), '--report', at('link.json'))).toMatch(/are one file/);
+    expect(await refusal(at('in.obj'), at('out.glb'), '--report', at('link.json'))).toMatch(
+      /are the same file/,
+    );
     symlinkSync(at('out.glb'), at('out_lod1.glb'));
     expect(await refusal(at('in.obj'), at('out.glb'), '--lods', '0.2')).toMatch(
-      /a level of --lods\) are one file/,
+      /a level of --lods\) are the same file/,
     );
   });
 
@@ -149,7 +151,7 @@ describe('an output is refused where it is', () => {
 
   it.skipIf(process.getuid?.() === 0)('in a folder or over a file that is write-protected', async () => {
     mkdirSync(at('closed'), { mode: 0o500 });
-    expect(await refusal(at('in.obj'), at('closed/out.glb'))).toMatch(/its folder does not allow it/);
+    expect(await refusal(at('in.obj'), at('closed/out.glb'))).toMatch(/its folder is write-protected/);
     writeFileSync(at('out.glb'), '');
     chmodSync(at('out.glb'), 0o400);
     expect(await refusal(at('in.obj'), at('out.glb'), '--force')).toMatch(/out\.glb is write-protected/);
@@ -284,14 +286,14 @@ describe('room on the disk', () => {
     const outputs = [output('a.glb', 1), output('b.glb', 1)];
     expect(() => checkRoom(outputs, size, disk(20 * MB))).not.toThrow();
     expect(await failureOf(() => checkRoom(outputs, size, disk(19 * MB)))).toBe(
-      `The disk of ${folder} has 19 MB left, and the result can take 20 MB: make room or choose another folder.`,
+      `The disk of ${folder} has 19 MB left, but the result can need 20 MB: free some space, or choose another folder.`,
     );
   });
 
   it('is told in tenths where little is left', async () => {
     const little = { model: 1, positions: 1 };
     expect(await failureOf(() => checkRoom([output('a.glb', 1)], little, disk(0.29 * MB)))).toBe(
-      `The disk of ${folder} has 0.2 MB left, and the result can take 1.0 MB: make room or choose another folder.`,
+      `The disk of ${folder} has 0.2 MB left, but the result can need 1.0 MB: free some space, or choose another folder.`,
     );
   });
 
@@ -308,7 +310,7 @@ describe('room on the disk', () => {
 
   it('can be read for this disk', () => {
     expect(() => checkRoom([output('a.glb', 1)], { model: 2 ** 60, positions: 0 })).toThrow(
-      /MB left, and the result can take/,
+      /MB left, but the result can need/,
     );
   });
 });
@@ -321,9 +323,9 @@ describe('stdin and stdout', () => {
       failureOf(() => checkStandard({ ...uses, ...changed }, isTerminal));
     expect(await sentence({}, true)).toBe('');
     expect(await sentence({ inputs: ['-'] })).toBe('');
-    expect(await sentence({ inputs: ['-', '-'] })).toMatch(/^stdin can be read once/);
-    expect(await sentence({ others: ['-'] })).toMatch(/^stdout takes models and reports alone/);
-    expect(await sentence({ models: ['-'] })).toMatch(/^--lods needs a name for OUT/);
+    expect(await sentence({ inputs: ['-', '-'] })).toMatch(/^stdin can be read only once/);
+    expect(await sentence({ others: ['-'] })).toMatch(/^stdout takes only models and reports/);
+    expect(await sentence({ models: ['-'] })).toMatch(/^--lods names the levels after OUT/);
     expect(await sentence({ models: ['-'], levels: 0 })).toMatch(/^stdout takes the model or the report/);
     expect(await sentence({ models: ['-'], levels: 0, reports: [] }, true)).toMatch(/^stdout is a terminal/);
     expect(await sentence({ models: ['-'], levels: 0, reports: [] })).toBe('');
@@ -379,8 +381,8 @@ describe('a target', () => {
     const found = { deviation: 1.2, frequencyError: 6 };
     expect(brokenLimits(limits, new Set(), found)).toEqual([]);
     expect(brokenLimits(limits, new Set(['maxDeviation', 'maxFrequencyError'] as const), found)).toEqual([
-      'The surface deviates by 1.20 %, not by at most 1 %',
-      'Frequencies are off by 6.00 %, not by at most 5 %',
+      'The surface deviates by 1.20 %, more than the limit of 1 %',
+      'Frequencies are off by 6.00 %, more than the limit of 5 %',
     ]);
     const kept = { deviation: 1.00001, frequencyError: 5 };
     expect(brokenLimits(limits, new Set(['maxDeviation', 'maxFrequencyError'] as const), kept)).toEqual([]);

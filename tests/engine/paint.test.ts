@@ -55,7 +55,7 @@ describe('painted levels as text', () => {
   });
 
   it.each(['vertices:1', '0:', '0:%%', '0:AAAA+', '0:Pw'])('"%s" is refused', (text) => {
-    expect(() => parsePaint(text)).toThrow('“Painted” is not what the brush writes: take it from the page');
+    expect(() => parsePaint(text)).toThrow('“Painted” is not text from the brush of the page: copy it');
   });
 });
 

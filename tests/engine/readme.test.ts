@@ -15,7 +15,7 @@ function range(option: OptionSpec): string {
   if (option.kind === 'choice') return option.choices.join(', ');
   if (option.kind === 'switch') return 'given or not';
   if (option.kind === 'pins' || option.kind === 'colliders') return 'terms joined by +';
-  if (option.kind === 'engine') return 'name=value with commas';
+  if (option.kind === 'engine') return 'name=value pairs separated by commas';
   if (option.kind === 'name') return 'name of an attribute';
   if (option.kind === 'pattern') return 'names with * and ?';
   if (option.kind === 'paint') return 'as the page writes it';

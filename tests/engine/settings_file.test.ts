@@ -74,39 +74,48 @@ describe('a damaged settings file', () => {
   it.each([
     ['{', 'is not JSON'],
     ['{"schema": "limber-binding/1"}', 'is not a limber-settings/1'],
-    [damaged((_, file) => (file.solver = 'havok' as SolverName)), 'is for "havok", which is none of shell, '],
+    [
+      damaged((_, file) => (file.solver = 'havok' as SolverName)),
+      'is for "havok", which is not one of shell, ',
+    ],
     [
       damaged((body) => (body.mesh.triangles[2] = 9)),
-      'has triangles that name vertices it does not have for "sheet"',
+      'has triangles that refer to vertices it does not have for "sheet"',
     ],
     [
       damaged((_, file) => Object.assign(file, { tune: 'face' })),
-      'has a tuning that is none of global, vertex, ',
+      'has a tuning that is not one of global, vertex, ',
     ],
-    [damaged((_, file) => (file.units.length = 0)), 'has a unit that is no length'],
+    [damaged((_, file) => (file.units.length = 0)), 'has a unit that is not a length'],
     [damaged((_, file) => delete (file.material as { young?: number }).young), 'has a damaged material'],
+    [damaged((_, file) => (file.given = ['compliance'])), 'has parameters that its solver does not have'],
     [
-      damaged((_, file) => (file.given = ['compliance'])),
-      'has given parameters that its solver does not have',
+      damaged((body) => (body.meshNumber = 0.5)),
+      'has a mesh number that is not a whole number from 0 for "sheet"',
     ],
-    [damaged((body) => (body.meshNumber = 0.5)), 'has a mesh number that is no count for "sheet"'],
-    [damaged((body) => (body.unit = -1)), 'has a unit that is no length for "sheet"'],
+    [damaged((body) => (body.unit = -1)), 'has a unit that is not a length for "sheet"'],
     [
       damaged((body) => Object.assign(body.original, { faces: '32' })),
-      'has damaged numbers of the engine or of the original for "sheet"',
+      'has damaged parameters of the engine or of the original for "sheet"',
     ],
-    [damaged((body) => body.mass.perVertex.pop()), 'has not one mass above 0 for each vertex for "sheet"'],
+    [
+      damaged((body) => body.mass.perVertex.pop()),
+      'has masses that are not one number above 0 for each vertex for "sheet"',
+    ],
     [
       damaged((body) => Object.assign(body.mass, { original: 'equal' })),
-      'has a rule of masses that is neither area nor vertex for "sheet"',
+      'has a mass rule that is neither area nor vertex for "sheet"',
     ],
-    [damaged((body) => (body.mass.perVertex[0] = 0)), 'has not one mass above 0 for each vertex for "sheet"'],
-    [damaged((body) => body.stretch.pairs!.pop()), 'has damaged constraints against stretching for "sheet"'],
-    [damaged((body) => (body.bend.factors = [1, 2])), 'has damaged constraints against bending for "sheet"'],
-    [damaged((body) => (body.pins = [4])), 'has pins that name vertices it does not have for "sheet"'],
+    [
+      damaged((body) => (body.mass.perVertex[0] = 0)),
+      'has masses that are not one number above 0 for each vertex for "sheet"',
+    ],
+    [damaged((body) => body.stretch.pairs!.pop()), 'has damaged stretching constraints for "sheet"'],
+    [damaged((body) => (body.bend.factors = [1, 2])), 'has damaged bending constraints for "sheet"'],
+    [damaged((body) => (body.pins = [4])), 'has pins that refer to vertices it does not have for "sheet"'],
     [
       damaged((body) => (body.renderVertices = [4])),
-      'has render vertices that name vertices it does not have for "sheet"',
+      'has render vertices that refer to vertices it does not have for "sheet"',
     ],
     [
       damaged((body) => delete (body as Partial<typeof body>).mass),
@@ -177,19 +186,19 @@ describe('settings in a report', () => {
     const withNeedle = solverReport([{ ...flat, mesh: needle }]).fidelity.solvers.springs!;
     expect(withNeedle.frequencyStatus).toBe('noArea');
     expect(describeTuning('springs', withNeedle)[0]).toMatch(
-      /^in Springs triangles without area leave this shape no modes, so there are no frequencies to tune/,
+      /^in Springs this shape has no modes because of triangles without area, so there are no frequencies to tune/,
     );
     const lost = tunedBody('springs', { ...flat.tuned, frequencyStatus: 'noConvergence' });
     expect(describeTuning('springs', solverReport([lost]).fidelity.solvers.springs!)[0]).toMatch(
-      /^in Springs no search for the modes of this shape converges/,
+      /^in Springs the modes of this shape do not converge/,
     );
   });
 
   it('are described in sentences', () => {
     const { solvers } = solverReport([tunedBody('springs')]).fidelity;
     expect(describeTuning('springs', solvers.springs!)).toEqual([
-      "in Springs the first ten frequencies are off by 5.00 % tuned (modes that were not tuned 7.00 %), by 40.00 % with the original's numbers",
-      "when it sways, it is 0.40 % of its size away from the original tuned, 1.50 % with the original's stiffness and masses (noise 0.010 %)",
+      "in Springs the first ten frequencies are off by 5.00 % tuned (7.00 % in modes that were not tuned), by 40.00 % with the original's numbers",
+      "when it sways, it deviates from the original by 0.40 % of its size tuned, by 1.50 % with the original's stiffness and masses (noise 0.010 %)",
     ]);
     const { frequencies } = solvers.springs!;
     const motion = {
@@ -201,8 +210,8 @@ describe('settings in a report', () => {
     };
     const [errors, told] = describeTuning('jolt', { frequencies, motion });
     expect(errors).toMatch(/by 40\.00 % with the original's numbers$/);
-    expect(told).toMatch(/so the file keeps the original's stiffness and has its masses carried over$/);
-    expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not tried');
+    expect(told).toMatch(/so the file keeps the original's stiffness and transfers its masses$/);
+    expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not tested');
   });
 
   it('name values that the engine does not accept, of all bodies the one farthest out of range', () => {

@@ -53,10 +53,10 @@ describe('warnings', () => {
 
   it('of bodies that cannot be used are one line, and the sentence where it is one body', () => {
     const sentence = (name: string, faces: number) =>
-      `Body "${name}" has no usable face, ${faces} with a repeated vertex: repair it; it stays as it is`;
+      `Body "${name}" has no usable face, ${faces} with a repeated vertex: repair it; it is left unchanged`;
     expect(warningLines([ofSentence(sentence('a "b"', 1))], false)).toEqual([sentence('a "b"', 1)]);
     expect(warningLines([ofSentence(sentence('a', 1)), ofSentence(sentence('b', 7))], false)).toEqual([
-      'each of 2 bodies: no usable face, 1 to 7 with a repeated vertex: repair it; it stays as it is',
+      'each of 2 bodies: no usable face, 1 to 7 with a repeated vertex: repair it; it is left unchanged',
     ]);
   });
 });
@@ -72,7 +72,7 @@ it('say what a solver moves if a node scales its mesh non-uniformly, and nothing
       .filter((line) => line.includes('modelling program'));
   expect(linesFor('none')).toEqual([]);
   expect(linesFor('jolt')).toEqual([
-    'uneven: mesh and masses for the solver have the mean of the scale of its node, and so another shape than the scene: apply that scale in the modelling program first',
+    'uneven: its node scales it non-uniformly, so mesh and masses for the solver get the mean scale and another shape than in the scene: apply that scale in the modelling program first',
   ]);
   file.dispose();
 });
@@ -107,6 +107,6 @@ it('of parts whose modes failed reach the caller of the library, too', () => {
   ]);
   const run = { context: { body: { name: 'lamp' } }, get: (stage: unknown) => values.get(stage) };
   expect(resultWarnings(run as unknown as BodyRun, {} as RunSettings).map(lineAlone)).toEqual([
-    'lamp is reduced by shape and triangle quality alone, for its modes failed: No solution was found',
+    'lamp is reduced by shape and triangle quality alone, because its modes failed: No solution was found',
   ]);
 });

@@ -51,7 +51,7 @@ it('notes a target that is missed, as the command line warns of it, and knows se
     expect.stringMatching(/^Stopped at \d+ faces, not 2: /),
   ]);
   expect(await notesOf({ faces: 2 })).toEqual([
-    expect.stringMatching(/the next collapses would go beyond 1 %; maxDeviation 0 lifts this$/),
+    expect.stringMatching(/the next collapses would exceed 1 %; maxDeviation 0 lifts this limit$/),
   ]);
   expect(await notesOf({ lods: [0.001] })).toEqual([
     expect.stringMatching(/^ring_lod1.glb: ring stopped at \d+ faces, /),

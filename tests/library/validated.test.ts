@@ -47,12 +47,12 @@ it('errors that a result or a level has beside those of its model are noted', as
   // The result, its level with five errors, and the model with one of them.
   errorsOf = (number) => [0, 5, 1][number];
   expect(await notesOf({ ratio: 0.8, lods: [0.5] })).toEqual([
-    'the glTF validator finds in test_lod1.glb what the model has not: E1 at /a: Wrong; E2 at /a: Wrong; E3 at /a: Wrong; and 1 more',
+    'the glTF validator finds errors in test_lod1.glb that the model does not have: E1 at /a: Wrong; E2 at /a: Wrong; E3 at /a: Wrong; and 1 more',
   ]);
   looked.length = 0;
   errorsOf = (number) => [1, 0][number];
   expect(await notesOf({ ratio: 0.8 })).toEqual([
-    'the glTF validator finds in the result what the model has not: E0 at /a: Wrong',
+    'the glTF validator finds errors in the result that the model does not have: E0 at /a: Wrong',
   ]);
 });
 

@@ -117,7 +117,10 @@ const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 
 function surfaceRows({ hausdorff, mean, vertexHausdorff }: SurfaceDistance): [string, string][] {
   return [
     ['surface deviation', `${percentOf(hausdorff)} of the diagonal, mean ${percentOf(mean)}`],
-    ['  vertex to nearest vertex', `${percentOf(vertexHausdorff)}, about an edge, as the paper measures`],
+    [
+      '  vertex to nearest vertex',
+      `${percentOf(vertexHausdorff)}, about an edge length, as measured in the paper`,
+    ],
   ];
 }
 

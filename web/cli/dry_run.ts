@@ -92,5 +92,5 @@ function describeOutput({ path, flag }: Output): string {
   if (path === STANDARD || isSpecial(path)) return what;
   const end = followLinks(path);
   const leads = end === resolve(path) ? '' : `, which leads to ${end}`;
-  return existsSync(end) ? `${what}${leads}, in place of the file that is there` : `${what}${leads}`;
+  return existsSync(end) ? `${what}${leads}, replacing the existing file` : `${what}${leads}`;
 }

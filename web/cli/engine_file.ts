@@ -26,7 +26,7 @@ export function engineFromFile(value: string): GivenEngine {
   if (fileOfEngine(value) === null) return { text: value, material: {} };
   if (!value.includes('.') && !existsSync(value))
     throw new UsageError(
-      `--engine ${value} is neither name=value nor a file: give name=value with commas between.`,
+      `--engine ${value} is neither name=value nor a file: give name=value, separated by commas.`,
     );
   return engineOfText(value, readText(value));
 }

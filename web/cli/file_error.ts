@@ -4,13 +4,13 @@ import { UsageError } from './failure';
 
 const REASONS: Record<string, string> = {
   ENOENT: 'there is no such file',
-  ENOTDIR: 'a folder of its path is a file',
+  ENOTDIR: 'a part of its path is a file, not a folder',
   EACCES: 'permission is denied',
   EPERM: 'permission is denied',
   ENOSPC: 'the disk is full',
-  EDQUOT: 'the quota of the disk is used up',
+  EDQUOT: 'the disk quota is used up',
   EROFS: 'the disk is read-only',
-  ELOOP: 'its links lead back to themselves',
+  ELOOP: 'its links form a loop',
   ENAMETOOLONG: 'its name is too long',
   ERR_FS_FILE_TOO_LARGE: 'it is larger than 2 GB',
 };
@@ -19,6 +19,6 @@ const REASONS: Record<string, string> = {
 export function fileError(what: string, error: unknown): Error {
   if (error instanceof UsageError) return error;
   const { code = '' } = error as NodeJS.ErrnoException;
-  const reason = REASONS[code] ?? `the system refuses it${code ? ` (${code})` : ''}`;
+  const reason = REASONS[code] ?? `the system refused it${code ? ` (${code})` : ''}`;
   return new UsageError(`${what}: ${reason}.`);
 }

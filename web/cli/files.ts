@@ -75,7 +75,7 @@ export function makeFolder(path: string): void {
   try {
     mkdirSync(path, { recursive: true });
   } catch (error) {
-    throw fileError(`${path} cannot be made`, error);
+    throw fileError(`${path} cannot be created`, error);
   }
 }
 

@@ -27,7 +27,9 @@ export async function checkFiles(args: Arguments): Promise<CheckedFiles> {
   const models = outputs.filter(({ isGlb }) => isGlb).map(({ path }) => path);
   const inputs = command === 'optimize' ? operands.slice(0, 1) : operands;
   if (args.from !== null && !inputs.includes(STANDARD))
-    throw new UsageError('--from is about a model from stdin: give - for it, or leave --from out.');
+    throw new UsageError(
+      '--from applies to a model read from stdin: give - as its name, or leave --from out.',
+    );
   const others = outputs.filter(({ isGlb, flag }) => !isGlb && flag !== '--report').map(({ path }) => path);
   checkStandard({ inputs, models, reports, others, levels: settings.lods.length });
   checkEndings(outputs, settings.format !== 'auto');

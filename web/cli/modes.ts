@@ -103,7 +103,7 @@ function modesText(
   const zero = `${zeroModes!.found} of ${zeroModes!.expected} zero modes found`;
   const heading = `${shownName(operands[0])}: ${model} model${parts}, ${zero}, ${timings.modes.toFixed(1)} s`;
   const nominal = isNominal
-    ? ['Frequencies of the laplacian model are nominal: only their proportions mean something.']
+    ? ['Frequencies of the laplacian model are nominal: only their ratios are meaningful.']
     : [];
   return [
     heading,

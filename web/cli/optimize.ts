@@ -105,7 +105,7 @@ async function passOn(session: Session, model: OpenModel): Promise<PassedOn> {
   const { form } = checkModelOutputs(session, model, []);
   saveFiles(session, path, await passThrough(model, main.bytes, { name: fileName(path), form }));
   session.warnings.length = 0;
-  return { passedOn: `${describeEmpty(model)} and is passed on as it is` };
+  return { passedOn: `${describeEmpty(model)} and is written unchanged` };
 }
 
 export interface Optimized {

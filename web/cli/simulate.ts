@@ -90,9 +90,9 @@ export function readCarried(args: Arguments): Carried {
 
 function checkArguments(args: Arguments): void {
   if (args.bind !== null && args.operands.length < 2)
-    throw new UsageError('--bind carries pins over to B, which is missing: name both files.');
+    throw new UsageError('--bind transfers pins to B, which is missing: name both files.');
   if (args.settingsFile !== null && args.operands.length < 2)
-    throw new UsageError('--settings has what B is simulated with, which is missing: name both files.');
+    throw new UsageError('--settings applies to B, which is missing: name both files.');
   if (args.settingsFile !== null) checkBesideTuning(args.settings);
   checkCalibration(args);
 }
@@ -101,14 +101,16 @@ function checkCalibration({ settings, operands, settingsFile }: Arguments): void
   if (!settings.calibrate) return;
   if (operands.length < 2) throw new UsageError('--calibrate matches B to A: name both files.');
   if (settings.solver !== 'none')
-    throw new UsageError('--calibrate is for no solver: --solver tunes with --settings instead.');
+    throw new UsageError(
+      '--calibrate cannot be combined with --solver: use --settings to simulate a tuned B.',
+    );
   if (settingsFile !== null)
     throw new UsageError(
-      '--calibrate is for no solver, and --settings is tuned for one: leave one of them out.',
+      '--calibrate cannot be combined with --settings, which is tuned for a solver: leave one of them out.',
     );
   if (settings.material === 'springs')
     throw new UsageError(
-      '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
+      '--calibrate does not work with --material springs, which has no bending stiffness to scale: give --material shell.',
     );
 }
 
@@ -118,7 +120,9 @@ function readTuning({ settingsFile, settings }: Arguments): SettingsFile | null 
   const name = basename(settingsFile);
   const file = readSettingsFile(name, readText(settingsFile));
   if (settings.solver !== 'none' && settings.solver !== file.solver)
-    throw new UsageError(`${name} is for --solver ${file.solver}, not ${settings.solver}: give that.`);
+    throw new UsageError(
+      `${name} is for --solver ${file.solver}, not ${settings.solver}: give --solver ${file.solver}.`,
+    );
   return file;
 }
 
@@ -223,7 +227,7 @@ function simulateText(
   bodies: PreparedBody[],
 ): string {
   const { material, solver, tuned, scenario, substeps, original, optimized } = simulation!;
-  const tuning = tuned === undefined ? '' : tuned ? ', tuned' : ', as it is';
+  const tuning = tuned === undefined ? '' : tuned ? ', tuned' : ', untuned';
   const made = solver ? `${profileOf(solver).label}${tuning}` : MATERIAL_WORDS[material];
   const what = bodies.length > 1 ? `${bodies.length} bodies` : bodies[0].body.name;
   return list([

@@ -31,13 +31,13 @@ export function checkStandard(
   isTerminal = Boolean(process.stdout.isTTY),
 ): void {
   if (inputs.filter((path) => path === STANDARD).length > 1)
-    throw new UsageError('stdin can be read once: name a file for one of the models.');
+    throw new UsageError('stdin can be read only once: name a file for one of the models.');
   if (others.includes(STANDARD))
-    throw new UsageError('stdout takes models and reports alone: name a file for --bind and --settings.');
+    throw new UsageError('stdout takes only models and reports: name a file for --bind and --settings.');
   if (!models.includes(STANDARD)) return;
   if (levels > 0)
-    throw new UsageError('--lods needs a name for OUT, from which the levels have theirs: name a file.');
+    throw new UsageError('--lods names the levels after OUT, which is stdout: give OUT a file name.');
   if (reports.includes(STANDARD))
-    throw new UsageError('stdout takes the model or the report: give one of them a file.');
+    throw new UsageError('stdout takes the model or the report, not both: name a file for one of them.');
   if (isTerminal) throw new UsageError('stdout is a terminal: pipe the model into a file, or name one.');
 }

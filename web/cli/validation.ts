@@ -11,6 +11,6 @@ export async function warnOfErrors(session: Session, files: SourceFile[]): Promi
   const errors = await describeAddedErrors(files, session.checked.files.get(input)!);
   if (errors === null) return;
   session.warnings.push(
-    `the glTF validator finds in ${shownOutput(output)} what ${input} has not: ${errors}`,
+    `the glTF validator finds errors in ${shownOutput(output)} that ${input} does not have: ${errors}`,
   );
 }

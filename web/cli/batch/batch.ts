@@ -69,7 +69,7 @@ function readRequests(args: Arguments, out: string): { requests: AssetRequest[];
   const { config: path } = args.batch;
   const config = path === null ? EMPTY_CONFIG : readBatchConfig(readText(path), path);
   const sources = findSources(words, out).filter(({ name }) => !isExcluded(config, name));
-  if (sources.length === 0) throw new UsageError(`${path} excludes all models: give fewer patterns.`);
+  if (sources.length === 0) throw new UsageError(`${path} excludes all models: remove some of its patterns.`);
   const names = sources.map(({ name }) => name);
   const { requests, notes } = requestsOf(config, args, sources);
   return { requests, notes: [...unusedPatterns(config, names, path ?? ''), ...notes] };
@@ -112,7 +112,7 @@ function stopOnSignal(run: BatchRun, unlock: () => void): void {
     process.once(signal, () => {
       run.stop();
       unlock();
-      process.stderr.write('limber: stopped; the same command goes on with what is left.\n');
+      process.stderr.write('limber: stopped; run the same command again to continue.\n');
       process.exit(codes[signal]);
     });
 }

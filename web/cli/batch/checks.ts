@@ -39,7 +39,7 @@ function checkWritable(out: string): void {
   const own = join(out, OWN_FOLDER);
   if (!isWritable(folder) || (existsSync(own) && !isWritable(own)))
     throw new UsageError(
-      `${out} cannot be written: ${folder === resolve(out) ? 'the folder' : folder} does not allow it, so choose another one.`,
+      `${out} cannot be written: ${folder === resolve(out) ? 'the folder' : folder} is write-protected, so choose another one.`,
     );
 }
 

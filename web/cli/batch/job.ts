@@ -91,19 +91,19 @@ export class Job {
         resolve(value);
       };
       worker.on('message', (done: WorkDone) => settle(done));
-      worker.on('error', (error) => settle(`its process could not work: ${error.message}`));
+      worker.on('error', (error) => settle(`its process could not be started: ${error.message}`));
       worker.on('exit', (code, signal) => settle(isTooLarge ? this.tooLarge() : this.ended(code, signal)));
-      worker.send(order, (error) => error && settle(`its process could not be asked: ${error.message}`));
+      worker.send(order, (error) => error && settle(`its process could not be reached: ${error.message}`));
     });
   }
 
   private tooLarge(): string {
     const megabytes = grouped(Math.floor(this.options.memory / MEGABYTE));
-    return `takes more than the ${megabytes} MB of a job: give more with --memory, or fewer --jobs`;
+    return `needs more than the ${megabytes} MB of a job: raise --memory, or lower --jobs`;
   }
 
   private ended(code: number | null, signal: NodeJS.Signals | null): string {
     if (/heap out of memory|Array buffer allocation failed/i.test(this.said)) return this.tooLarge();
-    return `ended its process by ${signal ?? `exit code ${code}`}, as lack of memory or an error inside does: try it alone with limber optimize`;
+    return `its process ended with ${signal ?? `exit code ${code}`}, perhaps because of an internal error or a lack of memory: try it alone with limber optimize`;
   }
 }

@@ -81,7 +81,7 @@ function readManifest(path: string, notes: string[]): AssetRecord[] {
   } catch {
     // What is no JSON is treated as what is no manifest.
   }
-  notes.push(`${path} is damaged or of another version: all assets are done again`);
+  notes.push(`${path} is damaged or of another version: all assets are processed again`);
   return [];
 }
 

@@ -86,6 +86,6 @@ export function describeRecord({ state, sentences, ...numbers }: AssetRecord): s
     `${grouped(facesBefore)} -> ${grouped(facesAfter)} faces (${percent(facesAfter / facesBefore - 1)})`,
     ...(deviation === null ? [] : [`deviation ${deviation.toFixed(2)} %`]),
     `${seconds.toFixed(1)} s`,
-    ...(state === 'missed' ? [`short of a target: ${sentences[0]}`] : []),
+    ...(state === 'missed' ? [`missed a target: ${sentences[0]}`] : []),
   ].join(', ');
 }

@@ -31,7 +31,7 @@ export function findSources(words: string[], out: string): Source[] {
   const twice = sorted.findIndex((source, i) => i > 0 && source.name === sorted[i - 1].name);
   if (twice < 0) return sorted;
   const [a, b] = [sorted[twice - 1], sorted[twice]];
-  throw new UsageError(`${a.path} and ${b.path} are both ${a.name} below SRC: work on them in two batches.`);
+  throw new UsageError(`${a.path} and ${b.path} are both ${a.name} below SRC: process them in two batches.`);
 }
 
 /** Several words can lead to one file. */

@@ -66,7 +66,7 @@ export function describeTotals(totals: SummaryTotals): string {
   const parts = [
     `${grouped(done + missed - unchanged)} optimized`,
     `${grouped(unchanged)} up to date`,
-    ...(missed > 0 ? [`${grouped(missed)} short of a target`] : []),
+    ...(missed > 0 ? [`${grouped(missed)} missed a target`] : []),
     ...(failed > 0 ? [`${grouped(failed)} failed`] : []),
   ];
   const faces =

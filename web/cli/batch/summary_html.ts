@@ -34,7 +34,7 @@ export function summaryHtml(
   const body = rows.map((row, i) => htmlRow(row, i < MAX_PICTURES ? pictureOf(row.asset) : null));
   const less =
     rows.length > MAX_PICTURES
-      ? `<p>Pictures are shown of the first ${grouped(MAX_PICTURES)}, so that the file stays small.</p>`
+      ? `<p>Only the first ${grouped(MAX_PICTURES)} assets have pictures, to keep the file small.</p>`
       : '';
   return `<!doctype html>
 <!-- Limber ${VERSION} -->

@@ -10,7 +10,7 @@ export const readText = (path: string): string => new TextDecoder().decode(readB
 /** Throws UsageError. */
 export function readBytes(path: string): Uint8Array {
   try {
-    if (statSync(path).isDirectory()) throw new UsageError(`${path} is a folder: name the model file in it.`);
+    if (statSync(path).isDirectory()) throw new UsageError(`${path} is a folder: give the model file in it.`);
     return new Uint8Array(readFileSync(path));
   } catch (error) {
     throw fileError(`${path} cannot be read`, error);

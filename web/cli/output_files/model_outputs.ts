@@ -51,7 +51,7 @@ function ofStandard({ form, lost }: Omit<ModelOutputs, 'companions'>, companions
   const [first] = companions;
   if (companions.some(({ bytes }) => bytes === null))
     throw new UsageError(
-      `stdout takes one file, and a .${form.format} has others beside it: name a file, or give --format ${form.format}.zip.`,
+      `stdout takes one file, but a .${form.format} comes with others: name a file, or give --format ${form.format}.zip.`,
     );
   const others = companions.length > 1 ? ` and ${counted(companions.length - 1, 'file')} more,` : '';
   const left = first ? [`${first.name}${others || ','} which it names`] : [];
@@ -62,7 +62,7 @@ function ofStandard({ form, lost }: Omit<ModelOutputs, 'companions'>, companions
 export function checkPassedOn({ reports, settings, bind, settingsFile }: Arguments, model: OpenModel): void {
   if (reports.length + settings.lods.length > 0 || bind !== null || settingsFile !== null)
     throw new UsageError(
-      `${model.name} ${describeEmpty(model)}, of which nothing can be reported: leave out --report, --lods, --bind and --settings.`,
+      `${model.name} ${describeEmpty(model)}, so there is nothing to report on: leave out --report, --lods, --bind and --settings.`,
     );
 }
 

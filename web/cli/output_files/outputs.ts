@@ -81,7 +81,7 @@ export function checkOutputs(outputs: Output[], inputs: string[], force: boolean
     const other = written.get(identity);
     if (other)
       throw new UsageError(
-        `${named(other)} and ${named(output)} are one file: choose another name for one of them.`,
+        `${named(other)} and ${named(output)} are the same file: choose another name for one of them.`,
       );
     written.set(identity, output);
     if (!force) checkOwner(output);
@@ -103,10 +103,10 @@ export function checkEndings(outputs: Output[], isFormatAsked: boolean): void {
   for (const { path, isGlb, isAnyFormat } of outputs) {
     if (path === STANDARD || !isGlb) continue;
     if (!isAnyFormat && !path.toLowerCase().endsWith('.glb'))
-      throw new UsageError(`${path} is not a .glb: let the name end in .glb.`);
+      throw new UsageError(`${path} is not a .glb: give a name that ends in .glb.`);
     if (isAnyFormat && !isFormatAsked && formOfName(path, 'glb') === null)
       throw new UsageError(
-        `${path} is not a .glb: GLB, glTF, OBJ, PLY and ZIP can be written, so let the name end in .glb, .gltf, .obj, .ply or .zip.`,
+        `${path} is not a .glb: GLB, glTF, OBJ, PLY and ZIP can be written, so give a name that ends in .glb, .gltf, .obj, .ply or .zip.`,
       );
   }
 }
@@ -116,13 +116,13 @@ function checkFolder({ path }: Output): void {
   const end = followLinks(path);
   const folder = dirname(end);
   const shown = existsSync(dirname(path)) ? folder : dirname(path);
-  if (!existsSync(folder)) throw new UsageError(`The folder ${shown} does not exist: make it first.`);
+  if (!existsSync(folder)) throw new UsageError(`The folder ${shown} does not exist: create it first.`);
   const old = statSync(end, { throwIfNoEntry: false });
   if (old?.isDirectory()) throw new UsageError(`${path} is a folder: name a file.`);
   if (old && !isWritable(end))
-    throw new UsageError(`${path} is write-protected: allow it or name another file.`);
+    throw new UsageError(`${path} is write-protected: make it writable, or name another file.`);
   if (!isSpecial(end) && !isWritable(folder))
-    throw new UsageError(`${path} cannot be written: its folder does not allow it, so choose another one.`);
+    throw new UsageError(`${path} cannot be written: its folder is write-protected, so choose another one.`);
 }
 
 /** Whether the system lets a file be changed, or files be made in a folder. */
@@ -159,7 +159,7 @@ export function checkRoom(outputs: Output[], size: ModelSize, roomOf = freeBytes
     needed.set(room.disk, { bytes: all, free: room.free });
     if (all > room.free)
       throw new UsageError(
-        `The disk of ${folder} has ${megabytes(room.free, Math.floor)} MB left, and the result can take ${megabytes(all, Math.ceil)} MB: make room or choose another folder.`,
+        `The disk of ${folder} has ${megabytes(room.free, Math.floor)} MB left, but the result can need ${megabytes(all, Math.ceil)} MB: free some space, or choose another folder.`,
       );
   }
 }

@@ -42,7 +42,7 @@ export function describeHealth(body: Body, weld: WeldResult, inspection: Inspect
   );
   const clashes = counted(orientationClashes, 'edge');
   if (flippedFaces === 0)
-    add('limit', orientationClashes, `${clashes} between faces that look to opposite sides`);
+    add('limit', orientationClashes, `${clashes} between faces of opposite orientation`);
   if (components > 1) add('fact', components, counted(components, 'part'));
   add('fact', boundaryLoops, `${counted(boundaryLoops, 'open border')}`);
   return notes;
@@ -62,7 +62,7 @@ export function describeFailedModes(name: string, modes: ModeSet | null): string
   if (failed.length === 0) return [];
   const which = parts.length > 1 ? `${counted(failed.length, 'part')} of ${parts.length} in ${name}` : name;
   const why = failed[0].failure!.replace(/\.$/, '');
-  return [`${which} is reduced by shape and triangle quality alone, for its modes failed: ${why}`];
+  return [`${which} is reduced by shape and triangle quality alone, because its modes failed: ${why}`];
 }
 
 /** Larger residuals |K phi - lambda M phi| / (lambda |M phi|) are reported. */
@@ -81,9 +81,10 @@ export function describeSolve(modes: { residual: number }[], coarseVertices: num
 export function describeResiduals(modes: { residual: number }[]): string[] {
   const worst = modes.reduce((largest, { residual }) => Math.max(largest, residual), 0);
   if (worst <= GOOD_RESIDUAL) return [];
-  const lost = modes.filter(({ residual }) => residual > BAD_RESIDUAL).length;
-  const left = lost === 0 ? 'their last digits' : counted(lost, 'mode', 'modes');
-  return [
-    `the largest residual of the modes is ${worst.toExponential(1)}: needle triangles leave ${left} to rounding`,
-  ];
+  const count = modes.filter(({ residual }) => residual > BAD_RESIDUAL).length;
+  const lost =
+    count === 0
+      ? 'their last digits are rounding errors'
+      : `${counted(count, 'mode consists', 'modes consist')} of rounding errors`;
+  return [`the largest residual of the modes is ${worst.toExponential(1)}: with needle triangles ${lost}`];
 }

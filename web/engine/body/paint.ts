@@ -18,7 +18,7 @@ export function paintOn(
   if (levels.length !== vertexOfSource.length)
     throw new SettingError(
       'paint',
-      `is for ${levels.length} vertices, but "${body.name}" has ${vertexOfSource.length}: take the file that was painted.`,
+      `is for ${levels.length} vertices, but "${body.name}" has ${vertexOfSource.length}: open the file that was painted.`,
     );
   return weldLevels(levels, vertexOfSource, vertexCount(mesh));
 }

@@ -51,7 +51,7 @@ export function readBinding(name: string, text: string): BodyBinding[] {
     if (lengths.some((length) => length !== vertices)) fail(`has damaged arrays for "${entry.name}"`);
     if (!isCount(mesh) || !isCount(faces)) fail(`lacks the mesh index or the face count of "${entry.name}"`);
     if (binding.triangle.some((triangle) => triangle !== NONE && triangle >= faces))
-      fail(`names a triangle that "${entry.name}" does not have`);
+      fail(`refers to a triangle that "${entry.name}" does not have`);
     if (![binding.barycentric, binding.offset].every((values) => values.every(Number.isFinite)))
       fail(`has a coordinate of "${entry.name}" that is not finite`);
     return { name: entry.name, mesh, faces, binding };

@@ -31,7 +31,7 @@ const REFUSALS: Record<(typeof VERDICTS)[number], string> = {
   topology: 'the topology would change',
   flip: 'a face would flip',
   angle: 'an angle would get too small',
-  deviation: 'the surface would go too far',
+  deviation: 'the surface would move too far',
 };
 
 /** `vertex`: one of the result that `why` is about. */
@@ -43,8 +43,8 @@ export function explain(why: WhyKept, vertex: number): Explanation {
     .sort((a, b) => b.share - a.share);
   const sentence =
     verdict === 'legal'
-      ? `${Math.round(100 * shareOfCheaper(why, vertex))} % of the vertices go before it.`
-      : `It cannot go: ${REFUSALS[verdict]}.`;
+      ? `${Math.round(100 * shareOfCheaper(why, vertex))} % of the vertices are removed before it.`
+      : `It cannot be removed: ${REFUSALS[verdict]}.`;
   return { sentence, reasons, keep: why.keep[vertex] };
 }
 

@@ -19,5 +19,5 @@ export const describeFinerLevels = (faces: number, levels: readonly WrittenLevel
     .filter((level) => level.faces > faces)
     .map(
       ({ file, faces: own }) =>
-        `${file}: a further level has ${grouped(own)} faces, and the result ${grouped(faces)}: give smaller shares of the original to ${lods}`,
+        `${file}: a further level has ${grouped(own)} faces, more than the ${grouped(faces)} of the result: give ${lods} smaller shares of the original`,
     );

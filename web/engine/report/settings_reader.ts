@@ -42,40 +42,42 @@ const ORIGINAL_NUMBERS = ['vertices', 'faces', 'totalMass', 'stretch', 'bend'];
 
 const CHECKS: readonly Check[] = [
   ({ meshNumber }) =>
-    meshNumber === undefined || isCount(meshNumber) ? null : 'a mesh number that is no count',
-  ({ unit }) => (isPositiveNumber(unit) ? null : 'a unit that is no length'),
+    meshNumber === undefined || isCount(meshNumber)
+      ? null
+      : 'a mesh number that is not a whole number from 0',
+  ({ unit }) => (isPositiveNumber(unit) ? null : 'a unit that is not a length'),
   ({ engine, original }) =>
     hasNumbers(engine, []) && hasNumbers(original, ORIGINAL_NUMBERS)
       ? null
-      : 'damaged numbers of the engine or of the original',
+      : 'damaged parameters of the engine or of the original',
   ({ mesh }, vertices) =>
-    isIndices(mesh.triangles, vertices, 3) ? null : 'triangles that name vertices it does not have',
+    isIndices(mesh.triangles, vertices, 3) ? null : 'triangles that refer to vertices it does not have',
   ({ renderVertices }, vertices) =>
     isNumbers(renderVertices) && renderVertices.every((v) => Number.isInteger(v) && v >= -1 && v < vertices)
       ? null
-      : 'render vertices that name vertices it does not have',
+      : 'render vertices that refer to vertices it does not have',
   ({ mass }, vertices) =>
-    isPositive(mass.perVertex, vertices) ? null : 'not one mass above 0 for each vertex',
+    isPositive(mass.perVertex, vertices) ? null : 'masses that are not one number above 0 for each vertex',
   ({ mass }) =>
     [undefined, 'area', 'vertex'].includes(mass.original)
       ? null
-      : 'a rule of masses that is neither area nor vertex',
+      : 'a mass rule that is neither area nor vertex',
   ({ vertex }, vertices) =>
     !vertex || (isPositive(vertex.stretch, vertices) && isPositive(vertex.bend, vertices))
       ? null
-      : 'not two factors above 0 for each vertex',
+      : 'factors that are not two numbers above 0 for each vertex',
   ({ stretch }, vertices, faces) => {
     const count = stretch.pairs ? stretch.pairs.length / 2 : faces;
     return isIndices(stretch.pairs ?? [], vertices, 2) && hasFactors(stretch, count)
       ? null
-      : 'damaged constraints against stretching';
+      : 'damaged stretching constraints';
   },
   ({ bend }, vertices) => {
     const isListed = isIndices(bend.pairs ?? [], vertices, 2) && isIndices(bend.hinges ?? [], vertices, 4);
     const count = (bend.pairs?.length ?? 0) / 2 + (bend.hinges?.length ?? 0) / 4;
-    return isListed && hasFactors(bend, count) ? null : 'damaged constraints against bending';
+    return isListed && hasFactors(bend, count) ? null : 'damaged bending constraints';
   },
-  ({ pins }, vertices) => (isIndices(pins, vertices) ? null : 'pins that name vertices it does not have'),
+  ({ pins }, vertices) => (isIndices(pins, vertices) ? null : 'pins that refer to vertices it does not have'),
 ];
 
 const hasFactors = (
@@ -95,17 +97,17 @@ export function readSettingsFile(name: string, text: string): SettingsFile {
   if (!(SOLVER_NAMES as readonly unknown[]).includes(file.solver))
     return fail(
       typeof file.solver === 'string'
-        ? `is for "${file.solver}", which is none of ${SOLVER_NAMES.join(', ')}`
+        ? `is for "${file.solver}", which is not one of ${SOLVER_NAMES.join(', ')}`
         : `names none of the solvers ${SOLVER_NAMES.join(', ')}`,
     );
   if (!(OPTIONS.tune.choices as readonly unknown[]).includes(file.tune))
-    return fail(`has a tuning that is none of ${OPTIONS.tune.choices.join(', ')}`);
+    return fail(`has a tuning that is not one of ${OPTIONS.tune.choices.join(', ')}`);
   if (!isPositiveNumber((file.units as { length?: unknown } | null | undefined)?.length))
-    return fail('has a unit that is no length');
+    return fail('has a unit that is not a length');
   if (file.material !== undefined && !hasNumbers(file.material, ENGINE_MATERIAL))
     return fail('has a damaged material');
   if (!namesParameters(file.given, file.solver as SolverName))
-    return fail('has given parameters that its solver does not have');
+    return fail('has parameters that its solver does not have');
   for (const body of file.bodies as BodySettings[]) {
     const problem = problemOf(body);
     if (problem)

@@ -105,7 +105,7 @@ export function describeTuning(
   { frequencies, frequencyStatus, motion, motionRefusal, outOfRange = [], blowsUp }: SolverReport,
 ): string[] {
   const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
-  const moved = motion ? describeMotion(motion) : `the motion itself was not tried${why}`;
+  const moved = motion ? describeMotion(motion) : `the motion itself was not tested${why}`;
   const beyond = outOfRange.map((parameter) => describeOutOfRange(solver, parameter));
   const errors = describeFrequencies(solver, frequencies, frequencyStatus);
   return [errors, moved, ...beyond, ...(blowsUp ? [describeBlowsUp(solver, blowsUp)] : [])];
@@ -113,8 +113,8 @@ export function describeTuning(
 
 const MISSING: Record<MissingFrequencies, string> = {
   noResistance: 'this shape bends without resistance',
-  noArea: 'triangles without area leave this shape no modes',
-  noConvergence: 'no search for the modes of this shape converges',
+  noArea: 'this shape has no modes because of triangles without area',
+  noConvergence: 'the modes of this shape do not converge',
 };
 
 function describeOutOfRange(solver: SolverName, { name, value, min, max }: OutOfRange): string {
@@ -136,8 +136,8 @@ function describeFrequencies(
 ): string {
   const { label } = profileOf(solver);
   if (errorUntouched === undefined || errorTuned === undefined)
-    return `in ${label} ${MISSING[missing]}, so there are no frequencies to tune: masses are, the factors stay at 1`;
-  const unseen = errorUnseen === undefined ? '' : ` (modes that were not tuned ${percentOf(errorUnseen)})`;
+    return `in ${label} ${MISSING[missing]}, so there are no frequencies to tune: only masses are tuned, and the factors stay at 1`;
+  const unseen = errorUnseen === undefined ? '' : ` (${percentOf(errorUnseen)} in modes that were not tuned)`;
   return `in ${label} the first ten frequencies are off by ${percentOf(errorTuned)} tuned${unseen}, by ${percentOf(errorUntouched)} with the original's numbers`;
 }
 
@@ -148,8 +148,8 @@ const SCENES: Record<string, string> = {
 };
 
 function describeMotion({ scene, untouched, tuned, noiseFloor, kept }: TunedMotion): string {
-  const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original tuned, ${percentOf(untouched)} with the original's stiffness and masses (noise ${percentOf(noiseFloor)})`;
+  const told = `${SCENES[scene] ?? scene} it deviates from the original by ${percentOf(tuned)} of its size tuned, by ${percentOf(untouched)} with the original's stiffness and masses (noise ${percentOf(noiseFloor)})`;
   return kept === 'tuned'
     ? told
-    : `${told}, so the file keeps the original's stiffness and has its masses carried over`;
+    : `${told}, so the file keeps the original's stiffness and transfers its masses`;
 }

@@ -109,7 +109,7 @@ export function describeRefused(refused: Refused): string {
     `${share(flip)} flip a face`,
     `${share(lock)} break a seam, a border or a lock`,
     ...(angle > 0 ? [`${share(angle)} make an angle too small`] : []),
-    ...(deviation > 0 ? [`${share(deviation)} go too far from the surface`] : []),
+    ...(deviation > 0 ? [`${share(deviation)} move too far from the surface`] : []),
   ].join(', ');
 }
 

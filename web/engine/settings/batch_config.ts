@@ -109,7 +109,7 @@ export const unusedPatterns = ({ overrides }: BatchConfig, paths: string[], name
       .filter((pattern) => !paths.some((path) => matchesPath(pattern, path)))
       .map(
         (pattern) =>
-          `${name}: overrides[${i}].files has ${quotedJson(pattern)}, with which no asset agrees: check its spelling`,
+          `${name}: overrides[${i}].files has ${quotedJson(pattern)}, which matches no asset: check its spelling`,
       ),
   );
 
@@ -156,7 +156,7 @@ function readOverride(value: unknown, where: string): BatchOverride {
 function readPatterns(value: unknown, where: string): string[] {
   const patterns = listOf(value, where);
   const wrong = patterns.find((pattern) => typeof pattern !== 'string' || pattern === '');
-  if (wrong !== undefined) throw new Error(`${where} has ${quotedJson(wrong)}: give patterns as texts.`);
+  if (wrong !== undefined) throw new Error(`${where} has ${quotedJson(wrong)}: give patterns as strings.`);
   return patterns as string[];
 }
 
@@ -178,7 +178,7 @@ function readSettingValue(name: string, given: unknown, where: string): unknown 
   if (!Object.hasOwn(OPTIONS, name) || !settingsOf('optimize').includes(name as SettingName))
     throw new Error(`${where}: there is no option "${excerpt(name)}": see docs/batch.schema.json.`);
   if (!isOfAssets(name as SettingName))
-    throw new Error(`${where}: ${name} is about the machine: give it on the command line.`);
+    throw new Error(`${where}: ${name} depends on the machine: give it on the command line.`);
   const value = given === 'inf' ? Infinity : given;
   try {
     checkSetting(name as SettingName, value, 'json');
@@ -192,18 +192,18 @@ function readSettingValue(name: string, given: unknown, where: string): unknown 
 function objectOf(value: unknown, where: string): Record<string, unknown> {
   if (typeof value === 'object' && value !== null && !Array.isArray(value))
     return value as Record<string, unknown>;
-  throw new Error(`${where} is no object: give { ... }.`);
+  throw new Error(`${where} is not an object: give { ... }.`);
 }
 
 function listOf(value: unknown, where: string): unknown[] {
   if (Array.isArray(value)) return value;
-  throw new Error(`${where} is no list: give [ ... ].`);
+  throw new Error(`${where} is not a list: give [ ... ].`);
 }
 
 function checkKeys(value: object, known: string[], where: string): void {
   const wrong = Object.keys(value).find((key) => !known.includes(key));
   if (wrong !== undefined)
     throw new Error(
-      `${where} has "${excerpt(wrong)}", which is not known: use ${known.filter((key) => !key.startsWith('$')).join(', ')}.`,
+      `${where} has "${excerpt(wrong)}", which is unknown: use ${known.filter((key) => !key.startsWith('$')).join(', ')}.`,
     );
 }

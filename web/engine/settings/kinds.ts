@@ -54,7 +54,7 @@ const describeRange = (
 const describeText =
   (words: string) =>
   (_: unknown, notation: Notation): string =>
-    notation === 'text' ? words : `${words}, as a text`;
+    notation === 'text' ? words : `${words}, as a string`;
 
 const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
   choice: {
@@ -83,7 +83,7 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
         : value === 'auto' || value === 'all',
     describe: ({ min, max }, notation) =>
       notation === 'text'
-        ? `auto, all, or numbers from ${min} to ${max} with commas`
+        ? `auto, all, or numbers from ${min} to ${max} separated by commas`
         : `"auto", "all", or a list of different whole numbers from ${min} to ${max}`,
     placeholder: () => 'auto|all|K[,K...]',
   },
@@ -92,7 +92,7 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
     isAllowed: (value, option) => Array.isArray(value) && value.every((entry) => isWithin(entry, option)),
     describe: ({ min, max }, notation) =>
       notation === 'text'
-        ? `numbers from ${min} to ${max} with commas`
+        ? `numbers from ${min} to ${max} separated by commas`
         : `a list of numbers from ${min} to ${max}`,
     placeholder: () => 'N[,N...]',
   },
@@ -107,7 +107,7 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
     read: verbatim,
     isAllowed: isText,
     parse: (text) => parsePaint(text),
-    describe: describeText('what the brush of the page writes'),
+    describe: describeText('text from the brush of the page'),
     placeholder: () => 'TEXT',
   },
   colliders: {
@@ -121,7 +121,7 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
     read: verbatim,
     isAllowed: isText,
     parse: (text) => parseEngine(text),
-    describe: describeText('name=value with commas'),
+    describe: describeText('name=value pairs separated by commas'),
     placeholder: () => 'FILE|NAME=VALUE,...',
   },
   name: {

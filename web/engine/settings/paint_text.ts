@@ -41,7 +41,7 @@ export function withPaint(text: string, mesh: number, levels: Levels): string {
 }
 
 const notPaint = (): SettingError =>
-  new SettingError('paint', 'is not what the brush writes: take it from the page as it is.');
+  new SettingError('paint', 'is not text from the brush of the page: copy it from the page unchanged.');
 
 function runsOf(levels: Levels): number[] {
   const runs: number[] = [];

@@ -450,7 +450,7 @@ const ROWS = {
     flag: 'engine',
     label: 'Your parameters',
     default: '',
-    help: 'The solver parameters that you use for the original: name=value separated by commas, or a file of them; parameters not given follow from the material.',
+    help: 'The solver parameters that you use for the original: name=value pairs separated by commas, or a file of them; parameters not given follow from the material.',
     group: 'solver',
     isOfUse: true,
     commands: ['simulate'],

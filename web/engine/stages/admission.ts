@@ -43,8 +43,8 @@ const ON_PAGE = 'add ?memory=4G to the address, or reduce the mesh in parts';
 
 const CURES: Record<Caller, { reduced: string; fitted: string }> = {
   'command line': {
-    reduced: 'give it more (--memory, at most 4G) or reduce the mesh in parts',
-    fitted: 'use --fit off, give it more (--memory, at most 4G) or reduce the mesh in parts',
+    reduced: 'raise --memory (at most 4G), or reduce the mesh in parts',
+    fitted: 'use --fit off, raise --memory (at most 4G), or reduce the mesh in parts',
   },
   page: { reduced: ON_PAGE, fitted: ON_PAGE },
   library: { reduced: 'reduce the mesh in parts', fitted: 'give fit "off", or reduce the mesh in parts' },
@@ -59,7 +59,7 @@ interface MemoryShortage {
 
 const refusal = (name: string, { faces, needed, heapLimit, cure }: MemoryShortage): Error =>
   new Error(
-    `${name} has ${counted(faces, 'face')}, for which the core takes about ${gigabytes(needed)} of memory, and it may have ${gigabytes(heapLimit)}: ${cure}.`,
+    `${name} has ${counted(faces, 'face')}, for which the core needs about ${gigabytes(needed)} of memory, but it may use only ${gigabytes(heapLimit)}: ${cure}.`,
   );
 
 const gigabytes = (bytes: number): string => `${(bytes / 2 ** 30).toFixed(1)} GB`;

@@ -18,7 +18,7 @@ import { STAGES } from './stages';
 export function preparedWarnings(file: FileRun, settings: Settings): Warning[] {
   const unusable = file
     .prepare(settings)
-    .map((sentence) => ofSentence(`${sentence.replace(/\.$/, '')}; it stays as it is`));
+    .map((sentence) => ofSentence(`${sentence.replace(/\.$/, '')}; it is left unchanged`));
   const isOneOfMany = file.model.bodies.length > 1;
   const health = file.prepared(settings).flatMap(({ body, weld, inspection }) =>
     describeHealth(body, weld, inspection)
@@ -38,7 +38,7 @@ const unevenlyScaled = (file: FileRun, settings: Settings): Warning[] =>
     .map(({ body }) =>
       ofBody(
         body.name,
-        'mesh and masses for the solver have the mean of the scale of its node, and so another shape than the scene: apply that scale in the modelling program first',
+        'its node scales it non-uniformly, so mesh and masses for the solver get the mean scale and another shape than in the scene: apply that scale in the modelling program first',
         file.model.bodies.length > 1,
       ),
     );
@@ -96,5 +96,5 @@ export const comparedWarnings = (originals: PreparedBody[]): Warning[] =>
 /** A clause on why a body has no modes, and the cure. */
 const explainNoModes = (body: PreparedBody): string =>
   hasNoArea(body)
-    ? 'its triangles have no area, so give it some that are not flat'
-    : 'its pins hold all that could move, so pin less';
+    ? 'its triangles have no area, so repair the mesh and export it again'
+    : 'its pins hold everything that could move, so pin fewer vertices';

@@ -107,7 +107,7 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
   const { name = '' } = stopped;
   const others =
     guarded.length > 1 ? ` and ${counted(guarded.length - 1, 'other body', 'other bodies')}` : '';
-  return `${where}${name}${others} stopped at ${describeFaces([stopped])}, ${besideLimit(deviation, limit)} % of its diagonal from the original: the next collapses would go beyond ${limit} %; ${nameOf('maxDeviation')} 0 lifts this`;
+  return `${where}${name}${others} stopped at ${describeFaces([stopped])}, ${besideLimit(deviation, limit)} % of its diagonal from the original: the next collapses would exceed ${limit} %; ${nameOf('maxDeviation')} 0 lifts this limit`;
 }
 
 /** The written faces, and those that count for targets if they are fewer. */
@@ -132,12 +132,12 @@ export function brokenLimits(
   return [
     ...(isBroken('maxDeviation', maxDeviation, found.deviation)
       ? [
-          `The surface deviates by ${besideLimit(found.deviation, maxDeviation)} %, not by at most ${maxDeviation} %`,
+          `The surface deviates by ${besideLimit(found.deviation, maxDeviation)} %, more than the limit of ${maxDeviation} %`,
         ]
       : []),
     ...(isBroken('maxFrequencyError', maxFrequencyError, found.frequencyError)
       ? [
-          `Frequencies are off by ${besideLimit(found.frequencyError, maxFrequencyError)} %, not by at most ${maxFrequencyError} %`,
+          `Frequencies are off by ${besideLimit(found.frequencyError, maxFrequencyError)} %, more than the limit of ${maxFrequencyError} %`,
         ]
       : []),
   ];
@@ -161,7 +161,7 @@ function describeMiss(
   const isBlocked = bodies.some(
     (body, i) => isExhausted(body) && isBlockedBySeams(originals[i], body.history.refused, settings),
   );
-  const cure = isBlocked ? `; ${nameOf('seams')} cross lets them give way` : '';
+  const cure = isBlocked ? `; ${nameOf('seams')} cross lets collapses cross seams` : '';
   return `${where}Stopped at ${describeFaces(missed)}${which}, not ${grouped(target)}: ${reasons}${cure}`;
 }
 

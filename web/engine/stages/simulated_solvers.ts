@@ -25,7 +25,7 @@ export function checkBesideTuning(settings: Settings): void {
   if (setting)
     throw new SettingError(
       setting,
-      'is given beside a settings file, which has what the original was tuned to: leave one of them out.',
+      'is given together with a settings file, which already has the parameters of the original: leave one of them out.',
     );
 }
 

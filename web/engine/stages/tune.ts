@@ -49,7 +49,7 @@ export function checkBendRatio(settings: Pick<Settings, 'solver' | 'engine'>): v
   if (readsBendRatio(settings)) return;
   const engine = { setting: 'engine' } as const;
   throw new SettingError('bendRatio', [
-    'is for springs and dihedral without a bend of ',
+    'is for springs and dihedral if no bend constant is given in ',
     engine,
     `: leave it out, and give ${settings.solver} its own numbers by `,
     engine,
@@ -109,7 +109,7 @@ export function tunedErrorOf(
   const { name } = prepared.body;
   const why =
     frequencyStatus === 'noConvergence'
-      ? `no search for the modes of "${name}" converges`
+      ? `the modes of "${name}" do not converge`
       : `"${name}" bends without resistance`;
   throw new SettingError(
     'maxFrequencyError',

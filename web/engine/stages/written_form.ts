@@ -28,7 +28,7 @@ export function checkWritten(
     return { form, lost: [...lostIn(form.format, model), ...model.unread] };
   if (settings.lodStyle !== 'files' && settings.lods.length > 0 && model.hasLevels)
     throw new SettingError('lodStyle', [
-      `would put levels into ${model.name}, which has levels of detail already: take files, or leave out `,
+      `would put levels into ${model.name}, which already has levels of detail: give files, or leave out `,
       { setting: 'lods' },
       '.',
     ]);
@@ -49,9 +49,9 @@ function refusalOf(
   const other =
     body === null
       ? ['.']
-      : [`, or keep the body as it is by `, { setting: 'exclude' as const }, ` "${body}".`];
+      : [`, or keep the body unchanged with `, { setting: 'exclude' as const }, ` "${body}".`];
   return new SettingError('dropExtensions', [
-    `does not name ${extension}, which ${name} has on ${where}, ${why}: name it to leave it out`,
+    `does not list ${extension}, which ${name} has on ${where}, ${why}: add it to leave it out`,
     ...other,
   ]);
 }

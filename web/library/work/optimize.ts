@@ -104,7 +104,8 @@ async function addedErrors(
   const notes: string[] = [];
   for (const { name, all } of made) {
     const errors = await describeAddedErrors(all, source);
-    if (errors !== null) notes.push(`the glTF validator finds in ${name} what the model has not: ${errors}`);
+    if (errors !== null)
+      notes.push(`the glTF validator finds errors in ${name} that the model does not have: ${errors}`);
   }
   return notes;
 }

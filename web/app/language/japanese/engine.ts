@@ -19,15 +19,15 @@ export const ENGINE: MessageTable = {
   '{count} edges shared by more than two faces, locked': '3 面以上が共有する辺 {count} 本をロック',
   '{count} vertex where surfaces only touch, locked': '面が点で接する頂点 {count} 個をロック',
   '{count} vertices where surfaces only touch, locked': '面が点で接する頂点 {count} 個をロック',
-  '{count} edge between faces that look to opposite sides': '向きが逆の面に挟まれた辺 {count} 本',
-  '{count} edges between faces that look to opposite sides': '向きが逆の面に挟まれた辺 {count} 本',
+  '{count} edge between faces of opposite orientation': '向きが逆の面に挟まれた辺 {count} 本',
+  '{count} edges between faces of opposite orientation': '向きが逆の面に挟まれた辺 {count} 本',
   '{count} open border': '開いた境界 {count} か所',
   '{count} open borders': '開いた境界 {count} か所',
-  'the largest residual of the modes is {residual}: needle triangles leave their last digits to rounding':
+  'the largest residual of the modes is {residual}: with needle triangles their last digits are rounding errors':
     'モードの最大残差は {residual} です。細長い三角形のため、末尾の桁は丸め誤差を含みます',
-  'the largest residual of the modes is {residual}: needle triangles leave {count} mode to rounding':
+  'the largest residual of the modes is {residual}: with needle triangles {count} mode consists of rounding errors':
     'モードの最大残差は {residual} です。細長い三角形のため、モード {count} 個は丸め誤差にすぎません',
-  'the largest residual of the modes is {residual}: needle triangles leave {count} modes to rounding':
+  'the largest residual of the modes is {residual}: with needle triangles {count} modes consist of rounding errors':
     'モードの最大残差は {residual} です。細長い三角形のため、モード {count} 個は丸め誤差にすぎません',
   // web/engine/core/mode_set.ts
   '{count} solid part': 'ソリッド {count} 個',
@@ -51,38 +51,38 @@ export const ENGINE: MessageTable = {
   '{share} flip a face': '{share} は面が裏返る',
   '{share} break a seam, a border or a lock': '{share} はシーム・境界・ロックを壊す',
   '{share} make an angle too small': '{share} は角が小さくなりすぎる',
-  '{share} go too far from the surface': '{share} は表面から離れすぎる',
+  '{share} move too far from the surface': '{share} は表面から離れすぎる',
   // web/engine/report/explanation.ts
   'the surface would move': '表面が動く',
   'it bends here': 'ここで曲がる',
   'it is curved here': 'ここは湾曲している',
   'triangles would get thinner': '三角形が細くなる',
   'triangles would get larger': '三角形が大きくなる',
-  '{share} % of the vertices go before it.': '頂点の {share} % がこれより先に取り除かれます。',
-  'It cannot go: {why}.': '取り除けません: {why}。',
+  '{share} % of the vertices are removed before it.': '頂点の {share} % がこれより先に取り除かれます。',
+  'It cannot be removed: {why}.': '取り除けません: {why}。',
   'a lock, a border or a pin holds it': 'ロック、境界、または固定されています',
   'the topology would change': 'トポロジーが変わります',
   'a face would flip': '面が裏返ります',
   'an angle would get too small': '角が小さくなりすぎます',
-  'the surface would go too far': '表面が離れすぎます',
+  'the surface would move too far': '表面が離れすぎます',
   // web/engine/motion/convergence.ts
   'At {count} substep the deviation of {judged} is not reliable, because {finer} would move the original itself by {moved}: {take}.':
     'サブステップ {count} では、ずれ {judged} は信頼できません。{finer} にすると元のメッシュの動きだけで {moved} 変わります。{take}。',
   'At {count} substeps the deviation of {judged} is not reliable, because {finer} would move the original itself by {moved}: {take}.':
     'サブステップ {count} では、ずれ {judged} は信頼できません。{finer} にすると元のメッシュの動きだけで {moved} 変わります。{take}。',
   // web/engine/report/level_words.ts
-  '{file}: a further level has {count} faces, and the result {number}: give smaller shares of the original to “{name}”.':
+  '{file}: a further level has {count} faces, more than the {number} of the result: give “{name}” smaller shares of the original.':
     '{file}: 追加の LOD は {count} 面で、結果の {number} 面より多くなっています。「{name}」には元のメッシュに対するより小さい割合を指定してください。',
   // web/engine/report/solver_report.ts
   "In {solver} the first ten frequencies are off by {tuned} tuned, by {untouched} with the original's numbers.":
     '{solver} での最初の 10 個の周波数の誤差は、調整後 {tuned}、元の数値のままでは {untouched} です。',
-  "In {solver} the first ten frequencies are off by {tuned} tuned (modes that were not tuned {unseen}), by {untouched} with the original's numbers.":
+  "In {solver} the first ten frequencies are off by {tuned} tuned ({unseen} in modes that were not tuned), by {untouched} with the original's numbers.":
     '{solver} での最初の 10 個の周波数の誤差は、調整後 {tuned} (調整に使わなかったモードでは {unseen})、元の数値のままでは {untouched} です。',
-  'In {solver} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1.':
+  'In {solver} this shape bends without resistance, so there are no frequencies to tune: only masses are tuned, and the factors stay at 1.':
     '{solver} ではこの形は抵抗なく曲がるため、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
-  'In {solver} triangles without area leave this shape no modes, so there are no frequencies to tune: masses are, the factors stay at 1.':
+  'In {solver} this shape has no modes because of triangles without area, so there are no frequencies to tune: only masses are tuned, and the factors stay at 1.':
     '{solver} では面積のない三角形があるためこの形のモードが求まらず、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
-  'In {solver} no search for the modes of this shape converges, so there are no frequencies to tune: masses are, the factors stay at 1.':
+  'In {solver} the modes of this shape do not converge, so there are no frequencies to tune: only masses are tuned, and the factors stay at 1.':
     '{solver} ではこの形のモードの計算が収束しないため、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
   '{solver} can blow up with a {name} of {value}: keep it below {max}, which is half of mass times quality.':
     '{solver} は {name} が {value} だと発散することがあります。{max} (mass × quality の半分) より小さくしてください。',
@@ -90,10 +90,10 @@ export const ENGINE: MessageTable = {
     '{solver} の {name} は {max} までですが、{value} が必要です。別の材質か厚さを選ぶか、数値を直接指定してください。',
   '{solver} takes a {name} of at least {min}, and this needs {value}: choose another material or thickness, or give your own numbers.':
     '{solver} の {name} は {min} 以上ですが、{value} が必要です。別の材質か厚さを選ぶか、数値を直接指定してください。',
-  'The motion itself was not tried.': '動き自体は調べていません。',
-  "{scene} it is {tuned} of its size away from the original tuned, {untouched} with the original's stiffness and masses (noise {noise}).":
+  'The motion itself was not tested.': '動き自体は調べていません。',
+  "{scene} it deviates from the original by {tuned} of its size tuned, by {untouched} with the original's stiffness and masses (noise {noise}).":
     '{scene}とき、元からのずれは大きさの {tuned} (調整後)、{untouched} (元の剛性と質量) です (ノイズ {noise})。',
-  "{scene} it is {tuned} of its size away from the original tuned, {untouched} with the original's stiffness and masses (noise {noise}), so the file keeps the original's stiffness and has its masses carried over.":
+  "{scene} it deviates from the original by {tuned} of its size tuned, by {untouched} with the original's stiffness and masses (noise {noise}), so the file keeps the original's stiffness and transfers its masses.":
     '{scene}とき、元からのずれは大きさの {tuned} (調整後)、{untouched} (元の剛性と質量) です (ノイズ {noise})。そのため、ファイルには元の剛性と質量を記録します。',
   'When it sways,': '揺れる',
   'When it hangs,': '垂れ下がる',
@@ -108,7 +108,7 @@ export const ENGINE: MessageTable = {
   'This is {value}: give {allowed} (default: {usual}).':
     '「{value}」は使えません。{allowed}を指定してください (既定値: {usual})。',
   'an empty list': '空のリスト',
-  'numbers from {least} to {most} with commas': '{least} から {most} までの数値 (コンマ区切り)',
+  'numbers from {least} to {most} separated by commas': '{least} から {most} までの数値 (コンマ区切り)',
   'a number from {least} to {most}': '{least} から {most} までの数値',
   'a whole number from {least} to {most}': '{least} から {most} までの整数',
   // web/engine/report/settings_reader.ts
@@ -116,17 +116,17 @@ export const ENGINE: MessageTable = {
     '{name} は使えない設定ファイルです ({problem})。limber optimize --settings で書き出し直してください。',
   'is not JSON': 'JSON 形式ではありません',
   'is not a {schema}': '{schema} ではありません',
-  'is for "{solver}", which is none of {known}': '「{solver}」用ですが、対応しているのは {known} です',
+  'is for "{solver}", which is not one of {known}': '「{solver}」用ですが、対応しているのは {known} です',
   'names none of the solvers {known}': 'ソルバー {known} のいずれも指定されていません',
   'has {problem} for {body}': '{body}: {problem}',
   'a body without a name': '名前のない物体',
-  'triangles that name vertices it does not have': '三角形が存在しない頂点を参照しています',
-  'render vertices that name vertices it does not have': '描画用の頂点が存在しない頂点を参照しています',
-  'not one mass above 0 for each vertex': '各頂点に 0 より大きい質量がありません',
-  'not two factors above 0 for each vertex': '各頂点に 0 より大きい係数が 2 つありません',
-  'damaged constraints against stretching': '伸びの拘束が壊れています',
-  'damaged constraints against bending': '曲げの拘束が壊れています',
-  'pins that name vertices it does not have': '固定が存在しない頂点を参照しています',
+  'triangles that refer to vertices it does not have': '三角形が存在しない頂点を参照しています',
+  'render vertices that refer to vertices it does not have': '描画用の頂点が存在しない頂点を参照しています',
+  'masses that are not one number above 0 for each vertex': '各頂点に 0 より大きい質量がありません',
+  'factors that are not two numbers above 0 for each vertex': '各頂点に 0 より大きい係数が 2 つありません',
+  'damaged stretching constraints': '伸びの拘束が壊れています',
+  'damaged bending constraints': '曲げの拘束が壊れています',
+  'pins that refer to vertices it does not have': '固定が存在しない頂点を参照しています',
   'no mesh, mass, stretch or bend': 'メッシュ、質量、伸び、曲げのいずれかがありません',
   'damaged positions': '位置が壊れています',
   // web/app/viewer/picture

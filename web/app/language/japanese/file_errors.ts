@@ -130,7 +130,7 @@ export const FILE_ERRORS: MessageTable = {
   '{name} unpacks to more than 2 GB: split it into several files.':
     '{name} は展開すると 2 GB を超えます。複数のファイルに分けてください。',
   // web/engine/stages
-  '{name} has {faces}, for which the core takes about {needed} of memory, and it may have {limit}: {cure}.':
+  '{name} has {faces}, for which the core needs about {needed} of memory, but it may use only {limit}: {cure}.':
     '{name} は{faces}あり、約 {needed} のメモリが必要ですが、使えるのは {limit} です。{cure}。',
   'add ?memory=4G to the address, or reduce the mesh in parts':
     'アドレスに ?memory=4G を付けるか、メッシュを分けて削減してください',
