@@ -60,7 +60,7 @@ test('levels and the binding are checked, packed, and the same as from the comma
   const levels = page.getByLabel('Further levels');
   await levels.fill('0.3, 0');
   await levels.press('Enter');
-  await expect(page.getByRole('alert')).toContainText('“0” is no level: give shares such as 25 %');
+  await expect(page.getByRole('alert')).toContainText('“0” is not a level: give shares such as 25 %');
   await levels.fill('0.3, 0.15');
   await levels.press('Enter');
   await page.getByLabel("Binding of the original's vertices").check();

@@ -61,7 +61,7 @@ test('every format and compression is saved as the command line writes it', asyn
     await expect(size).toContainText(`→ ${Math.round(bytes.length / 1000)}\u00a0kB`);
   }
   await page.getByLabel('Format').selectOption('ply');
-  await expect(page.getByText('it reads GLB and glTF alone')).toBeVisible();
+  await expect(page.getByText('it reads only GLB and glTF')).toBeVisible();
   await expect(page.getByLabel('Compression')).toHaveCount(0);
 });
 
@@ -103,7 +103,7 @@ test('levels are added, seen where they change, and written as nodes of one file
   await expect(page.getByLabel('Further levels')).toHaveValue('0.3, 0.15');
   await page.getByLabel('Further levels').fill('30 %, 500000');
   await page.getByLabel('Further levels').press('Enter');
-  await expect(page.getByRole('alert')).toContainText('“500000” is no level');
+  await expect(page.getByRole('alert')).toContainText('“500000” is not a level');
   await page.getByLabel('Further levels').fill('30 %, 0.15');
   await page.getByLabel('Further levels').press('Enter');
   await expect(page.getByRole('alert').filter({ hasText: 'is no level' })).toHaveCount(0);
@@ -149,7 +149,7 @@ test('a preset says what it changes before it does', async ({ page }) => {
   await page.getByLabel('Preset').selectOption('mobile');
   await expect(page.getByLabel('Further levels')).toHaveValue('');
   await button(page, 'Use these settings').click();
-  await expect(page.getByText('All of it is set.')).toBeVisible();
+  await expect(page.getByText('All of these are set.')).toBeVisible();
   await expect(page.getByLabel('Further levels')).toHaveValue('0.25, 0.1');
   const archive = unzipSync(await saved(page, 'Save all as .zip'));
   expect(Object.keys(archive)).toContain('sheet-forms-limber_lod2.glb');

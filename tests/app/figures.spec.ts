@@ -125,7 +125,7 @@ test('methods are compared at one number of faces, copied, and chosen by their p
   await expect(panel).toBeVisible();
 
   await panel.getByRole('button', { name: /^meshoptimizer, simplify/ }).click();
-  await expect(panel.getByText('is here to compare with')).toBeVisible();
+  await expect(panel.getByText('is shown only for comparison')).toBeVisible();
   await panel.getByRole('button', { name: /^QEM/ }).click();
   await expect(panel).toHaveCount(0);
   await expect(

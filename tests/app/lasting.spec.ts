@@ -22,7 +22,7 @@ test('a worker that has ended is noticed and started again, and the work goes on
   await expect(readout(page, 'Deviation')).toContainText('%');
   await settle(page);
   await killWorker(page);
-  await expect(page.getByText('It has started again, and your work is as it was.')).toBeVisible();
+  await expect(page.getByText('It was restarted, and your work is unchanged.')).toBeVisible();
   await keepFaces(page, 150);
   await expect(readout(page, 'Deviation')).not.toContainText('...');
 });

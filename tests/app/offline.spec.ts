@@ -102,7 +102,7 @@ test(
     expect(late.length).toBeGreaterThan(0);
     for (const name of late) renameSync(join(assets, name), join(assets, `gone-${name}`));
     await page.getByRole('button', { name: 'Export', exact: true }).click();
-    await expect(page.getByRole('alert')).toContainText('Reload; your work comes back.');
+    await expect(page.getByRole('alert')).toContainText('Reload; your work is restored.');
     for (const name of late) renameSync(join(assets, `gone-${name}`), join(assets, name));
     await page.getByRole('alert').getByRole('button', { name: 'Reload' }).click();
     await expect(page.locator('.filename')).toHaveText('offline.obj');
@@ -122,8 +122,8 @@ test('an open page does not take the core of a newer version', { tag: '@full' },
   expect(others).toEqual([]);
   renameSync(join(wasm, version), join(wasm, '0123456789ab'));
   await goTo(page, 'Test');
-  await expect(page.locator('.twin-alert')).toContainText('reload the page, your work comes back');
-  const notice = page.getByRole('alert').filter({ hasText: 'Reload; your work comes back.' });
+  await expect(page.locator('.twin-alert')).toContainText('reload the page, and your work is restored');
+  const notice = page.getByRole('alert').filter({ hasText: 'Reload; your work is restored.' });
   await expect(notice.getByRole('button', { name: 'Reload' })).toBeVisible();
   await context.close();
 });

@@ -124,7 +124,7 @@ test('a settings file brings its solver, parameters and faces back, or says what
   await goTo(page, 'Reduce');
   await expect(keptFaces(page)).toHaveValue(String(faces.length / 3));
   await drop(page, writeScratch('broken.json', text.replace('"hinge-shell"', '"havok"')));
-  await expect(page.getByRole('alert')).toContainText('broken.json is for "havok", which is none of');
+  await expect(page.getByRole('alert')).toContainText('broken.json is for "havok", which is not one of');
 });
 
 test('of a settings file of several bodies the shown one takes its own unit and faces, wherever it is', async ({

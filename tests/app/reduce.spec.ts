@@ -254,7 +254,7 @@ test('a limit that stops the slider is named and can be switched off, and so is 
   await expect(readout(page, 'Faces')).toContainText(`→ ${stopped}`);
   const [all, kept] = [2 * 24 * 24, Number(stopped.replaceAll(',', ''))];
   await expect(page.locator('.scrubber .ratio')).toHaveText(`${((100 * kept) / all).toFixed(1)} %`);
-  await page.getByRole('button', { name: 'Let it go farther' }).click();
+  await page.getByRole('button', { name: 'Lift the limit' }).click();
   await expect(deviation).toHaveValue('');
   await expect(deviation).toHaveAttribute('placeholder', 'off');
   await expect(page.getByText(/the next collapses would take the surface/)).toHaveCount(0);

@@ -45,7 +45,7 @@ test('what was done to a file comes back with it, whatever it is called, also in
   page,
   context,
 }) => {
-  const notice = (name: string) => `What you did to ${name} before is here again.`;
+  const notice = (name: string) => `Your earlier work on ${name} is restored.`;
   await openPage(page);
   await drop(page, sheet);
   await expect(page.locator('.filename')).toHaveText('kept.obj');

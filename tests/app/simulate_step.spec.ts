@@ -128,7 +128,7 @@ test('both bodies move in the solver that is chosen', async ({ page }) => {
   const tuning = page.getByRole('group', { name: 'Optimized mesh' });
   await expect(tuning).toHaveCount(0);
   const start = await restart(page, () => solver.selectOption('springs'));
-  await expect(tuning.getByRole('button', { name: 'As it is' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(tuning.getByRole('button', { name: 'Untuned' })).toHaveAttribute('aria-pressed', 'true');
   const springs = await deviationAfterSteps(page);
   const { changed } = await compare(page, start, await playUntil(page, 0.3));
   for (const pixels of changed) expect(pixels).toBeGreaterThan(MOVED_PIXELS);
@@ -152,7 +152,7 @@ test('who does not know the solver gets the plain result, words to choose by, an
   await openTest(page);
   const solver = page.getByLabel('Solver', { exact: true });
   await solver.selectOption({ label: "Don't know" });
-  await expect(page.getByText('Any engine can take it')).toBeVisible();
+  await expect(page.getByText('Any engine can use it')).toBeVisible();
   const { violations } = await new AxeBuilder({ page }).include('.panel.right').analyze();
   expect(violations).toEqual([]);
   const [download] = await Promise.all([
@@ -189,7 +189,9 @@ test('who does not know the solver gets the plain result, words to choose by, an
   await goTo(page, 'Test');
   await button(page, 'Save all four as .zip').click();
   await solver.selectOption({ label: 'Springs' });
-  const stopped = page.getByRole('status').filter({ hasText: 'was stopped, as another solver was chosen' });
+  const stopped = page
+    .getByRole('status')
+    .filter({ hasText: 'was stopped because another solver was chosen' });
   await expect(stopped).toBeVisible();
   const [again] = await Promise.all([
     page.waitForEvent('download'),
@@ -467,7 +469,7 @@ test('what is held in place is not said to fall onto a ball', async ({ page }) =
   await scenario(page).selectOption('drape');
   await expect(page.getByText('Falls onto a ball.')).toBeVisible();
   await page.getByLabel('Held in place').selectOption('corners');
-  await expect(page.getByText('Falls as far as what is held in place lets it.')).toBeVisible();
+  await expect(page.getByText('Falls as far as its pins allow.')).toBeVisible();
   await expect(page.getByText('Falls onto a ball.')).toHaveCount(0);
 });
 

@@ -54,7 +54,7 @@ it('a file that cannot be read is reported', async () => {
   await drop(fileEntry('large.glb', () => Promise.reject(new DOMException('', 'NotReadableError'))));
   expect(page.opened).toEqual([]);
   expect(page.complaints).toEqual([
-    'large.glb cannot be read: it was moved or changed meanwhile, or is too large for this browser.',
+    'large.glb cannot be read: it was moved or changed in the meantime, or is too large for this browser.',
   ]);
 });
 

@@ -90,7 +90,7 @@ it('a core that is gone from the host asks for a reload', async () => {
   whyNotLoaded = 'Failed to fetch dynamically imported module: http://localhost/wasm/0123456789ab/a.mjs';
   reset();
   await vi.waitUntil(() => twin.failure.value !== null);
-  expect(twin.failure.value).toContain('reload the page, your work comes back');
+  expect(twin.failure.value).toContain('reload the page, and your work is restored');
 });
 
 it('a check whose program cannot be loaded says so', async () => {

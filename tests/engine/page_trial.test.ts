@@ -8,9 +8,11 @@ vi.hoisted(() => vi.stubGlobal('navigator', { languages: ['en'] }));
 const motion = { scene: 'hang', untouched: 2, tuned: 1, noiseFloor: 0, kept: 'tuned' } as const;
 
 it('the motion that was tried is named, whichever numbers it spoke for', () => {
-  expect(describeTrial(motion)).toBe('A trial of how it hangs came closer tuned. Other motions may differ.');
+  expect(describeTrial(motion)).toBe(
+    'In a trial of how it hangs, it came closer tuned. Other motions may differ.',
+  );
   expect(describeTrial({ ...motion, scene: 'sway and hang', tuned: 3, kept: 'untouched' })).toBe(
-    "A trial of how it sways and how it hangs came closer with the original's stiffness: the masses alone are tuned. Other motions may differ.",
+    "In a trial of how it sways and how it hangs, it came closer with the original's stiffness, so only the masses are tuned. Other motions may differ.",
   );
 });
 

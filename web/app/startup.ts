@@ -41,7 +41,7 @@ async function offerLastSession(): Promise<void> {
   const run = (): void => void bringBack(session);
   status.notice.value = {
     kind: 'info',
-    text: say('Your last work, {name}, is kept on this computer.', { name: session.name }),
+    text: say('Your last work, on {name}, is stored on this computer.', { name: session.name }),
     action: { label: 'Open it', run },
   };
 }

@@ -15,12 +15,12 @@ const PLAIN: Partial<Record<SettingName, string>> = {
   sizeWeight: 'More makes triangles of about one size.',
   maxDeviation: 'The new surface never leaves the old one by more than this.',
   minAngle: 'No triangle becomes thinner than this.',
-  maxFrequencyError: 'It swings as fast as before, but for this much.',
+  maxFrequencyError: 'How far its frequencies may differ from those of the original.',
   creases: 'Edges sharper than this stay where they are.',
-  fit: 'A last touch: vertices move a little so that the shape comes back.',
-  modeCount: 'How many ways of bending and twisting are looked for.',
-  p: 'High: each place counts by its worst motion. Low: by all of them together.',
-  strainThreshold: 'Places that hardly stretch are taken for places that do not.',
+  fit: 'At the end, vertices move a little to restore the shape.',
+  modeCount: 'How many ways of bending and twisting are computed.',
+  p: 'High: each spot counts by its worst motion. Low: by all motions together.',
+  strainThreshold: 'Spots that hardly stretch count as if they did not stretch at all.',
   young: 'How hard it is to stretch: rubber is soft, paper is stiff.',
   poisson: 'How much it gets thinner when it is pulled longer.',
   density: 'How heavy it is: heavier things swing slower.',
@@ -29,7 +29,7 @@ const PLAIN: Partial<Record<SettingName, string>> = {
   damping: 'How soon it comes to rest.',
   selfCollision: 'It cannot pass through itself.',
   friction: 'How well it grips what it touches.',
-  calibrate: 'One number makes the new mesh swing as fast as the old one.',
+  calibrate: 'One factor on the stiffness makes the new mesh swing as fast as the old one.',
 };
 
 /** The elements that `useSettingWords` returns: a button for next to the label, and the sentences, which are null while they are closed. */

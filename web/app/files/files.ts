@@ -33,7 +33,7 @@ async function bytesOf({ name, file }: NamedFile): Promise<SourceFile> {
 
 const unreadable = (name: string): Error =>
   new Error(
-    say('{name} cannot be read: it was moved or changed meanwhile, or is too large for this browser.', {
+    say('{name} cannot be read: it was moved or changed in the meantime, or is too large for this browser.', {
       name,
     }),
   );

@@ -39,7 +39,7 @@ export function applySettings({ name, bytes }: SourceFile): void {
     const file = readSettingsFile(name, new TextDecoder().decode(bytes));
     if (!results.body.value)
       throw new Error(
-        say('{name} says how a model moves in {solver}: open that model first.', {
+        say('{name} is a settings file for {solver}: open its model first.', {
           name,
           solver: say(labelOf(file)),
         }),
@@ -81,7 +81,7 @@ function show(name: string, file: SettingsFile, engine: string): void {
     text: isSame
       ? say('{name}: {solver} with its parameters, {faces} faces.', values)
       : say(
-          '{name}: {solver} with its parameters. It was written for a model of {original} faces and this one has {own}, so it is tuned anew.',
+          '{name}: {solver} with its parameters. It was written for a model of {original} faces, but this one has {own}, so it is tuned again.',
           values,
         ),
   };

@@ -19,9 +19,9 @@ const KEYS: [string, string][] = [
   ['Home', 'in Test: back to the start'],
   ['D', 'in Test: the optimized mesh drives the original'],
   ['[ ]', 'smaller or larger brush'],
-  ['Tab', 'to the picture: arrows turn it, Shift and arrows move it, + and - zoom'],
-  ['Enter', 'in the picture: pin or paint what is in the middle; with Shift take away'],
-  ['Ctrl+Z', 'undo; with Shift redo'],
+  ['Tab', 'focus the picture: arrows turn it, Shift and arrows move it, + and - zoom'],
+  ['Enter', 'in the picture: pin or paint what is in the middle; with Shift, unpin or erase'],
+  ['Ctrl+Z', 'undo; with Shift, redo'],
   ['Ctrl+O', 'open a file'],
   ['Ctrl+E', 'export'],
   [

@@ -28,7 +28,7 @@ function warnOfLength({ length }: string): void {
   status.notice.value = {
     kind: 'info',
     text: say(
-      'The link has {count} characters, as it contains what was painted or pinned: some programs cut it.',
+      'The link has {count} characters because it contains what was painted or pinned: some programs cut it off.',
       { count: count(length) },
     ),
   };

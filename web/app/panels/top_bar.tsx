@@ -83,7 +83,7 @@ function ThreadNote() {
         <button
           type="button"
           class="quiet"
-          title={say('A reload gives this page several threads; your work comes back.')}
+          title={say('After a reload, this page can use several threads; your work is restored.')}
           onClick={reloadPage}
         >
           {say('Reload for more')}

@@ -5,7 +5,7 @@ import { say } from '../language/say';
 const WORDS: [word: string, plain: string, exact: string][] = [
   [
     'Mode',
-    'A way in which the model likes to bend or twist.',
+    'A way in which the model bends or twists easily.',
     'A solution of K phi = omega² M phi, without the rigid motions.',
   ],
   ['Frequency', 'How fast it swings in that way.', 'omega / 2 pi in Hz, for the unit and material given.'],
@@ -16,7 +16,7 @@ const WORDS: [word: string, plain: string, exact: string][] = [
   ],
   [
     'Deviation',
-    'How far the new surface is from the old one, at its worst place.',
+    'How far the new surface is from the old one where they differ most.',
     'Hausdorff distance both ways, in % of the diagonal.',
   ],
   [
@@ -26,7 +26,7 @@ const WORDS: [word: string, plain: string, exact: string][] = [
   ],
   [
     'Topology',
-    'Parts, holes and open borders: they stay as they were.',
+    'Parts, holes and open borders: these do not change.',
     'Components, genus and boundary loops, certified after every run.',
   ],
   [
@@ -37,17 +37,17 @@ const WORDS: [word: string, plain: string, exact: string][] = [
   ['Pinned', 'Held in place.', 'Vertices without degrees of freedom, in modes and simulations.'],
   [
     'Fit',
-    'After removing faces, vertices are moved a little so that the shape comes back.',
+    'After faces are removed, vertices are moved a little to restore the shape.',
     'Least squares distance to the original under limits, or residuals of frequencies.',
   ],
   [
     'Tuned',
-    'The numbers for your engine with which the new mesh moves as the old one.',
+    'The numbers for your engine with which the new mesh moves like the old one.',
     'Factors on stretching and bending and masses per vertex.',
   ],
   [
     'Noise floor',
-    'How much the original differs from itself: smaller differences mean nothing.',
+    'How much the original differs from itself when computed in another way: smaller differences mean nothing.',
     'The original simulated with its constraints in another order.',
   ],
 ];

@@ -74,7 +74,7 @@ export class Client {
       await Promise.race([current.remote.connect(transfer(port1, [port1])), current.ended]);
       this.listen(port2);
     }
-    watchLife(lock, () => onError('the browser has ended it, perhaps for want of memory'));
+    watchLife(lock, () => onError('the browser has ended it, perhaps because memory ran out'));
     if (this.files) await Promise.race([current.remote.open(this.files), current.ended]);
     isStarted = true;
     this.threads = started.threads;

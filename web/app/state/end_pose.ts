@@ -54,6 +54,6 @@ async function moveTo(
   const { failure, diverged } = last!;
   if (failure) throw new Error(failure);
   if (diverged.length > 0)
-    throw new Error(say('A body has left the scene: give the Test step more substeps.'));
+    throw new Error(say('A body has left the scene: raise the substeps of the Test step.'));
   return last!;
 }

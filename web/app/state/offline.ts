@@ -43,7 +43,7 @@ function seekIsolation(): void {
 function tellVersion(run: () => void): void {
   status.notice.value = {
     kind: 'info',
-    text: say('A new version is ready. Your work comes back after a reload.'),
+    text: say('A new version is ready. Your work is restored after a reload.'),
     action: { label: 'Reload', run },
   };
 }

@@ -24,7 +24,7 @@ export const client = new Client(base, tellRestarted, (port) => replayer.listen(
 function tellRestarted(): void {
   status.notice.value = {
     kind: 'info',
-    text: say('The computation has stopped unexpectedly. It has started again, and your work is as it was.'),
+    text: say('The computation has stopped unexpectedly. It was restarted, and your work is unchanged.'),
   };
 }
 
@@ -38,7 +38,7 @@ function noticeOf(error: unknown): Notice {
     return {
       kind: 'error',
       text: say(
-        'A part of the page could not be loaded: the network is lost, or there is a new version. Reload; your work comes back.',
+        'A part of the page could not be loaded: the network is down, or there is a new version. Reload; your work is restored.',
       ),
       action: { label: 'Reload', run: reloadPage },
     };
@@ -95,7 +95,7 @@ function offerRestart(what: string): void {
   };
   status.notice.value = {
     kind: 'info',
-    text: say('{task}: no progress for a minute. It may need more time, or it may be stuck.', {
+    text: say('{task}: no progress for a minute. It may need more time or be stuck.', {
       task: say(what),
     }),
     action: { label: 'Start again', run },

@@ -78,7 +78,8 @@ const frameRequest = (): TwinRequest => ({
 const describeEnd = (why: string): string =>
   say('The simulation has stopped: {why}. Press Reset to start it again.', { why });
 
-const notLoaded = (): string => say('its program could not be loaded; reload the page, your work comes back');
+const notLoaded = (): string =>
+  say('its program could not be loaded; reload the page, and your work is restored');
 
 function openWorker(): Remote<SimulationApi> {
   worker = new Worker(new URL('../worker/simulation_worker.ts', import.meta.url), { type: 'module' });

@@ -161,7 +161,7 @@ const api: WorkerApi = {
     translateErrors(async () => {
       const opened = await openModel(files);
       if (opened.bodies.length === 0)
-        throw new Error(`${opened.name} holds no triangles: export a mesh with faces.`);
+        throw new Error(`${opened.name} has no triangles: export a mesh with faces.`);
       const { fresh, notes } = startRun(opened);
       file?.dispose();
       file = fresh;

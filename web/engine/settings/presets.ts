@@ -13,27 +13,27 @@ export interface Preset {
 export const PRESETS = {
   web: {
     label: 'Web',
-    why: 'A small download: meshopt packs vertices, and three.js, Babylon.js and model-viewer unpack them quickly.',
+    why: 'A small download: meshopt compresses vertices, and three.js, Babylon.js and model-viewer decode them quickly.',
     settings: { compress: 'meshopt' },
   },
   mobile: {
     label: 'Mobile',
-    why: 'Vertices take half the memory and need no unpacking, and two further levels stand in where the model is small on the screen.',
+    why: 'Vertices take half the memory and need no decoding, and two further levels are used where the model is small on the screen.',
     settings: { compress: 'quantized', lods: [0.25, 0.1] },
   },
   cloth: {
     label: 'Cloth',
-    why: 'A sheet without an inside: its hems stay where they are, and after the collapses vertices are moved until it folds at the frequencies of the original.',
+    why: 'A sheet without volume: its borders stay where they are, and after the collapses vertices are moved until it vibrates at the frequencies of the original.',
     settings: { model: 'shell', material: 'shell', borders: 'fixed', fit: 'modal' },
   },
   'soft-body': {
     label: 'Soft body',
-    why: 'A closed body with an inside: faces stay where its volume bends, and collapses stop before an angle below 10 degrees, as thin triangles make soft bodies stiff and unstable.',
+    why: 'A closed body with volume: faces are kept where its volume bends, and collapses stop before an angle falls below 10 degrees, because thin triangles make soft bodies stiff and unstable.',
     settings: { model: 'solid', material: 'solid', minAngle: 10 },
   },
   print: {
     label: '3D print',
-    why: 'The surface stays within 0.1 % of its size (0.1 mm of 10 cm), edges above 30 degrees stay sharp, and seams of textures, which no printer sees, hold nothing up.',
+    why: 'The surface stays within 0.1 % of its size (0.1 mm of 10 cm), edges above 30 degrees stay sharp, and texture seams, which do not matter in print, do not limit collapses.',
     settings: { maxDeviation: 0.1, creases: 30, seams: 'cross', compress: 'none' },
   },
 } as const satisfies Record<string, Preset>;

@@ -17,7 +17,7 @@ export const FILE_ERRORS: MessageTable = {
     '{name} にメッシュがありません。三角形のメッシュを書き出してください。',
   '{name} has no triangles ({notes}): export it with a triangle mesh.':
     '{name} に三角形がありません ({notes})。三角形のメッシュを書き出してください。',
-  '{name} holds no triangles: export a mesh with faces.':
+  '{name} has no triangles: export a mesh with faces.':
     '{name} に三角形がありません。面のあるメッシュを書き出してください。',
   // web/engine/document/checks/other_formats.ts
   '{name} is {what}: {way}, then open that.': '{name} は{what}です。{way}、それを開いてください。',

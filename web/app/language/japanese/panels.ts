@@ -13,14 +13,14 @@ export const PANELS: MessageTable = {
   'The new surface never leaves the old one by more than this.':
     '新しい表面は、元の表面からこの値を超えて離れません。',
   'No triangle becomes thinner than this.': 'どの三角形もこれより細くなりません。',
-  'It swings as fast as before, but for this much.': '揺れる速さの変化をこの範囲に抑えます。',
+  'How far its frequencies may differ from those of the original.': '揺れる速さの変化をこの範囲に抑えます。',
   'Edges sharper than this stay where they are.': 'これより鋭い辺は元の位置に保たれます。',
-  'A last touch: vertices move a little so that the shape comes back.':
+  'At the end, vertices move a little to restore the shape.':
     '仕上げです。頂点を少し動かして元の形に近づけます。',
-  'How many ways of bending and twisting are looked for.': '求める曲がり方・ねじれ方の数です。',
-  'High: each place counts by its worst motion. Low: by all of them together.':
+  'How many ways of bending and twisting are computed.': '求める曲がり方・ねじれ方の数です。',
+  'High: each spot counts by its worst motion. Low: by all motions together.':
     '高いと各部分は最も大きな動きで、低いとすべての動きの合計で評価されます。',
-  'Places that hardly stretch are taken for places that do not.':
+  'Spots that hardly stretch count as if they did not stretch at all.':
     'ほとんど伸びない部分は、伸びないものとして扱います。',
   'How hard it is to stretch: rubber is soft, paper is stiff.':
     '伸びにくさです。ゴムは柔らかく、紙は硬い材料です。',
@@ -31,12 +31,12 @@ export const PANELS: MessageTable = {
   'How soon it comes to rest.': 'どれだけ早く静止するかです。',
   'It cannot pass through itself.': '自分自身を突き抜けなくなります。',
   'How well it grips what it touches.': '触れたものにどれだけ引っかかるかです。',
-  'One number makes the new mesh swing as fast as the old one.':
+  'One factor on the stiffness makes the new mesh swing as fast as the old one.':
     '1 つの数値で、新しいメッシュが元と同じ速さで揺れるようにします。',
-  '{name} says how a model moves in {solver}: open that model first.':
+  '{name} is a settings file for {solver}: open its model first.':
     '{name} は {solver} でのモデルの動きの設定です。先にそのモデルを開いてください。',
   '{name}: {solver} with its parameters, {faces} faces.': '{name}: {solver} とそのパラメーター、{faces} 面。',
-  '{name}: {solver} with its parameters. It was written for a model of {original} faces and this one has {own}, so it is tuned anew.':
+  '{name}: {solver} with its parameters. It was written for a model of {original} faces, but this one has {own}, so it is tuned again.':
     '{name}: {solver} とそのパラメーター。{original} 面のモデル用に書き出されたもので、このモデルは {own} 面のため、調整し直します。',
   'nothing moves like mode {mode}{name} any more': 'モード {mode}{name} と同じ動きはなくなりました',
   'mode {mode}{name} is now mode {now}': 'モード {mode}{name} はモード {now} になりました',
@@ -51,7 +51,7 @@ export const PANELS: MessageTable = {
     '同じメッシュを同じ面数で比べます。ドラッグするとすべての画像が回転し、クリックするとその手法を使います。',
   'All are measured.': 'すべて測定しました。',
   '{done} of {all} are measured.': '{all} 件中 {done} 件を測定しました。',
-  '{method} is here to compare with. Limber shows, tests and saves results of its own methods: choose one of the first three.':
+  '{method} is shown only for comparison. Limber shows, tests and saves results of its own methods: choose one of the first three.':
     '{method} は比較用です。表示、テスト、保存ができるのは Limber の手法だけなので、最初の 3 つから選んでください。',
   'Pictures of the methods': '各手法の画像',
   'Numbers of the methods': '各手法の数値',
@@ -69,7 +69,7 @@ export const PANELS: MessageTable = {
   'Volume, %': '体積 (%)',
   'Time, s': '時間 (秒)',
   changed: '変化あり',
-  "Distances in % of the diagonal; frequencies of modes 1 to 10 as shells, as in the report; area and volume against the original. Time runs from the welded mesh to the result, modes and fit included. A limit that stops one of Limber's methods above the budget is lifted here; your weights count for the chosen method, and pins, locks and paint are known to Limber's methods alone.":
+  "Distances in % of the diagonal; frequencies of modes 1 to 10 as shells, as in the report; area and volume against the original. Time runs from the welded mesh to the result, modes and fit included. A limit that stops one of Limber's methods above this number of faces is lifted here. Your weights apply to the chosen method, and only Limber's methods respect pins, locks and paint.":
     '距離は対角線に対する %、周波数はレポートと同じくシェルとしてのモード 1～10、面積と体積は元との差です。時間は結合済みメッシュから結果までで、モードとフィットを含みます。Limber の手法が面数に届く前に止まる制限はここでは外されます。重みは選択中の手法にだけ適用され、固定、ロック、ペイントを考慮するのは Limber の手法だけです。',
   'Copy the table': '表をコピー',
   'Copy as': 'コピー形式',
@@ -93,13 +93,13 @@ export const PANELS: MessageTable = {
   'Format of the video': '動画の形式',
   WebM: 'WebM',
   GIF: 'GIF',
-  '30 pictures a second; none is lost, however long one takes.':
+  '30 pictures a second; none is dropped, however long one takes to draw.':
     '毎秒 30 フレームです。描画に時間がかかってもフレームは欠けません。',
-  '20 pictures a second, at most 960 pixels wide or high: it plays everywhere and again and again, but its file is larger.':
+  '20 pictures a second, at most 960 pixels wide or high: it plays everywhere and in a loop, but its file is larger.':
     '毎秒 20 フレーム、縦横は最大 960 ピクセルです。どこでも繰り返し再生できますが、ファイルは大きくなります。',
   Seconds: '秒数',
   'Save turntable': 'ターンテーブルを保存',
-  'Once around what the stage shows': 'ステージの表示を 1 周します',
+  'One turn around what the stage shows': 'ステージの表示を 1 周します',
   'Recording the turntable': 'ターンテーブルを記録しています',
   'Save motion': '動きを保存',
   'The motion of this step from its start, at its own pace':
@@ -109,10 +109,10 @@ export const PANELS: MessageTable = {
   'The deviation over time': 'ずれの推移',
   'Drawing the chart': 'グラフを描画しています',
   Figure: '図',
-  'Original, chosen modes, strain, result, and both moved by the scenario of the Test step, on one page.':
+  'On one page: original, chosen modes, strain, result, and both in the motion of the Test step.':
     '元、選択したモード、ひずみ、結果、テストのシナリオで動かした両者を 1 ページにまとめます。',
   'Save figure': '図を保存',
-  'Moving both for the figure': '図のために両方を動かしています',
+  'Simulating both for the figure': '図のために両方を動かしています',
   'Go to Reduce first: the figure shows the result.':
     '図には結果が含まれるため、先に「削減」を開いてください。',
   '{number} models': '{number} 個のモデル',
@@ -129,7 +129,7 @@ export const PANELS: MessageTable = {
   '{done} of {all} done': '{all} 個中 {done} 個完了',
   '{number} done': '完了 {number}',
   '{number} failed': '失敗 {number}',
-  '{number} not begun': '未開始 {number}',
+  '{number} not started': '未開始 {number}',
   waiting: '待機中',
   'running ...': '処理中...',
   done: '完了',
@@ -147,9 +147,9 @@ export const PANELS: MessageTable = {
     '画像が大きすぎて保存できません。小さいサイズを選んでください。',
   'The simulation has stopped: {why}.': 'シミュレーションが停止しました ({why})。',
   'its program could not be loaded': 'プログラムを読み込めません',
-  'Nothing can be picked on this mesh: {why}. Put the tool down and take it again for another try.':
+  'Nothing can be picked on this mesh: {why}. Switch the tool off and on to try again.':
     'このメッシュでは頂点を選択できません ({why})。ツールをいったん終了し、もう一度選んでください。',
-  'A body has left the scene: give the Test step more substeps.':
+  'A body has left the scene: raise the substeps of the Test step.':
     '物体がシーンの外に飛び出しました。「テスト」のサブステップを増やしてください。',
   'The link has {word}: give bodies with their faces, as in own=2:400.':
     'リンクに {word} とあります。own=2:400 のように、ボディと面数を指定してください。',

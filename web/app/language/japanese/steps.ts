@@ -42,13 +42,14 @@ export const STEPS: MessageTable = {
   'Nothing to repair.': '修復の必要はありません。',
   Reading: '読み込み',
   'The unit changes frequencies, not the mesh.': '単位は周波数だけに影響し、メッシュは変わりません。',
-  'It cannot be used, and stays as it is': '使用できないため、そのまま残します',
+  'It cannot be used, and is left unchanged': '使用できないため、そのまま残します',
   'Show {name}': '{name} を表示',
   'Show it in the whole scene': 'シーン全体に表示する',
   'Hide it in the whole scene': 'シーン全体で隠す',
   'Keep all faces of {name}': '{name} の面をすべて残す',
-  'It keeps all of its faces: let it lose some again': 'すべての面を残しています。クリックで解除します',
-  'Let it keep all of its faces': 'すべての面を残す',
+  'It keeps all of its faces: click to let it lose some again':
+    'すべての面を残しています。クリックで解除します',
+  'Keep all of its faces': 'すべての面を残す',
   'across, thin': '横方向 (薄い)',
   'across, wide': '横方向 (広い)',
   along: '長さ方向',
@@ -63,7 +64,7 @@ export const STEPS: MessageTable = {
   Modes: '固有モード',
   'Mode {number} guides': 'モード {number} を使う',
   'Blends this mode with the others that are ticked': 'チェックしたほかのモードと混ぜ合わせます',
-  'A Laplacian has no physical frequency; this one is in proportion only':
+  'A Laplacian has no physical frequencies; only their ratios are meaningful':
     'ラプラシアンには物理的な周波数がありません。これは比率だけを示す値です',
   'nom.': '(公称)',
   'Click the mode that looks like the motion you expect; tick more to blend several.':
@@ -197,7 +198,7 @@ export const STEPS: MessageTable = {
   'Turn it on': 'オンにする',
   'Stopped at {count} faces: the next collapses would take the surface more than {limit}\u00a0% of the diagonal away.':
     '{count} 面で停止しました。次の縮約で表面が対角線の {limit}\u00a0% を超えてずれるためです。',
-  'Let it go farther': 'ずれの制限を外す',
+  'Lift the limit': 'ずれの制限を外す',
   'the first six frequencies are off by at most {error} %': '最初の 6 つの周波数の誤差は最大 {error} %',
   'With {faces} faces {off}.': '{faces} 面で、{off}です。',
   ' With {faces} faces it would be {error} %.': '{faces} 面では {error} % になります。',
@@ -205,7 +206,7 @@ export const STEPS: MessageTable = {
   'Vertex {number} ...': '頂点 {number} ...',
   'Vertex {number}': '頂点 {number}',
   'Close the card of the vertex': '頂点のカードを閉じる',
-  'Painted or named to be kept: all of this counts {times} times.':
+  'Painted or marked to be kept: all of this counts {times} times.':
     '残すように指定されているため、コストは {times} 倍になります。',
   'Of the optimized mesh, 0 to {last}; or hover over it in the view':
     '最適化後のメッシュの頂点番号 (0 から {last})。ビューで頂点にポインターを合わせることもできます',

@@ -6,18 +6,18 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Where will it move?': '使用するソルバー',
   "Don't know": 'わからない',
   'Tuning for all generic solvers': '汎用ソルバーすべてに合わせて調整しています',
-  'The result is the one that keeps shape, outline and pins. Any engine can take it, but its stiffness and masses are tuned to none.':
+  'The result keeps shape, outline and pins. Any engine can use it, but its stiffness and masses are not tuned for one.':
     '形状、輪郭、固定した頂点を保った結果です。どこで動かしても使えますが、硬さと質量は特定のエンジンに合わせていません。',
   'If your program asks for': '使うソフトで指定する値',
   choose: '選択',
-  'How stiff the material is and how thick, as for rubber or cloth': 'ゴムや布などの材料の硬さと厚さ',
-  'How stiff its faces are, and how stiff it bends at its edges': '面の硬さと、辺での曲がりにくさ',
+  'Stiffness and thickness of the material, as for rubber or cloth': 'ゴムや布などの材料の硬さと厚さ',
+  'Stiffness of its faces, and bending stiffness at its edges': '面の硬さと、辺での曲がりにくさ',
   'Stretching of edges, and bending as an angle between faces: Houdini, Unreal':
     '辺の伸びと、面と面の角度としての曲げ: Houdini、Unreal',
-  'Springs alone, for stretching and for bending: Unity, Godot': '伸びと曲げのばねのみ: Unity、Godot',
-  'Or take the model with the numbers for each of the four, and try which of them fits.':
+  'Springs only, for stretching and for bending: Unity, Godot': '伸びと曲げのばねのみ: Unity、Godot',
+  'Or save the model with the numbers for each of the four, and try which of them fits.':
     'または、4 つすべての数値をモデルと一緒に保存し、どれが合うか試してください。',
-  '“Save all four as .zip” was stopped, as another solver was chosen.':
+  '“Save all four as .zip” was stopped because another solver was chosen.':
     '別のソルバーが選ばれたため、「4 つすべてを .zip で保存」を中止しました。',
   'Go back and save all four': '戻って 4 つすべてを保存',
   'Save all four as .zip': '4 つすべてを .zip で保存',
@@ -29,12 +29,12 @@ export const TEST_AND_EXPORT: MessageTable = {
   'By scenario': 'シナリオに従う',
   'Top corners': '上の角',
   'Pins ({count})': '固定した頂点 ({count})',
-  'Pinned on the original and carried over to the optimized mesh. Pins are those of step 2.':
+  'Pinned on the original and transferred to the optimized mesh. “Pins” are those of step 2.':
     '元のメッシュで固定し、最適化後のメッシュに引き継ぎます。「固定した頂点」はステップ 2 で指定したものです。',
   '{ends} held.': '{ends}を固定します。',
-  '{end} is not held, and this scenario moves nothing else: both meshes stand still. Hold it by scenario, or take Sway.':
+  '{end} is not held, and this scenario moves nothing else, so both meshes stand still. Hold it by scenario, or choose Sway.':
     '{end}が固定されておらず、このシナリオではほかに動くものがないため、どちらのメッシュも静止しています。「シナリオに従う」で固定するか、「揺らす」を選んでください。',
-  'This scenario moves what is held towards {end}, and the held vertices reach across the middle: they are torn apart. Hold by scenario, or take Sway.':
+  'This scenario moves only the held vertices on the side of {end}. They reach across the middle, so they are torn apart. Hold by scenario, or choose Sway.':
     'このシナリオは固定した頂点のうち{end}側だけを動かしますが、固定した頂点が中央をまたいでいるため引き裂かれます。「シナリオに従う」で固定するか、「揺らす」を選んでください。',
   'Hold by scenario': 'シナリオに従って固定',
   'Both ends': '両端',
@@ -51,7 +51,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   Hang: '吊るす',
   'Gravity pulls at the rest.': '残りの部分に重力が働きます。',
   Drop: '落とす',
-  'Falls as far as what is held in place lets it.': '固定した所が許す範囲で落ちます。',
+  'Falls as far as its pins allow.': '固定した所が許す範囲で落ちます。',
   'Falls to the floor.': '床に落とします。',
   Pull: '引っ張る',
   '{end} moves away by a fifth of the length.': '{end}を長さの 5 分の 1 だけ引き離します。',
@@ -71,7 +71,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Enough: {count} more would move the original by {moved}, which is little compared with the deviation of {judged}.':
     '十分です。{count} 増やしても元のメッシュの動きは {moved} しか変わりません (ずれ {judged} に比べてわずかです)。',
   'Deviation, mean over the surface': 'ずれ (表面全体の平均)',
-  'The original against itself with its constraints in another order':
+  'The original compared with itself, with its constraints in another order':
     '拘束の順序を変えた元のメッシュ同士の差',
   '% of the diagonal': '対角線に対する %',
   'Deviation over time: nothing has moved yet.': 'ずれの推移: まだ動いていません。',
@@ -85,7 +85,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Original, per step': '元 (1 ステップ)',
   'Optimized, per step': '最適化後 (1 ステップ)',
   'Speed-up': '高速化',
-  'same inside': '中身が同じ',
+  'same lattice': '中身が同じ',
   'too few faces': '面が少数',
   'no noise floor': 'ノイズフロアなし',
   'noise {noise}': 'ノイズ {noise}',
@@ -104,35 +104,35 @@ export const TEST_AND_EXPORT: MessageTable = {
   Reset: 'リセット',
   'Back to the start (Home)': '最初に戻る (Home)',
   "Limber's solid": 'Limber のソリッド',
-  'It has an inside, the same in both bodies': '両方の物体に同じ中身があります',
+  'Filled with material in the same way in both bodies': '両方の物体に同じ中身があります',
   "Limber's solid and shell": 'Limber のソリッドとシェル',
-  'Closed parts have an inside, the same in both bodies; open ones are shells':
+  'Closed parts are filled with material in the same way in both bodies; open ones are shells':
     '閉じたパーツには両方で同じ中身があり、開いたパーツはシェルになります',
   "Limber's shell": 'Limber のシェル',
   'Membrane and bending: the same material on any mesh': '膜と曲げ。どのメッシュでも同じ材料になります',
   "The paper's springs": '論文のばね',
-  'The edges, as in the paper: another material on every mesh':
+  'Springs along the edges, as in the paper: a different material on every mesh':
     '論文と同じく辺をばねとします。メッシュごとに異なる材料になります',
-  ' Derived from its documents, not checked against the engine.':
+  ' Derived from its documentation, not checked against the engine.':
     '公開資料から導いたもので、エンジンでは未検証です。',
   'Both bodies are {words}, solved here by XPBD.': '両方の物体は「{words}」で、ここでは XPBD で計算します。',
-  'For {solver} take the model and its settings file, which has the numbers to type in.':
+  'For {solver}, export the model and its settings file, which has the numbers to type in.':
     '{solver} では、モデルと、入力する数値を記した設定ファイルをお使いください。',
   'Export both': '両方を書き出す',
-  'As it is': 'そのまま',
+  Untuned: 'そのまま',
   'The same numbers for both': '両方に同じ数値を使います',
   'The masses and factors with which it moves like the original':
     '元と同じように動くように求めた質量と係数を使います',
   'Optimized mesh': '最適化後のメッシュ',
   'Tuning ...': '調整しています...',
-  'It could not be tuned: shown as it is.': '調整できなかったため、そのまま表示しています。',
+  'It could not be tuned, and is shown untuned.': '調整できなかったため、そのまま表示しています。',
   'how it sways': '揺れ方',
   'how it hangs': '吊り下がり方',
-  'A trial of {tried} came closer tuned. Other motions may differ.':
+  'In a trial of {tried}, it came closer tuned. Other motions may differ.':
     '{tried}を試したところ、調整したほうが元に近くなりました。ほかの動きでは異なることがあります。',
-  "A trial of {tried} came closer with the original's stiffness: the masses alone are tuned. Other motions may differ.":
+  "In a trial of {tried}, it came closer with the original's stiffness, so only the masses are tuned. Other motions may differ.":
     '{tried}を試したところ元の剛性のほうが近かったため、質量だけを調整しています。ほかの動きでは異なることがあります。',
-  'raise the substeps (now {substeps}) or take a softer material, then reset.':
+  'raise the substeps (now {substeps}) or choose a softer material, then reset.':
     'サブステップ (現在 {substeps}) を増やすか、柔らかい材料を選んでからリセットしてください。',
   'Both meshes have diverged at {time} s: {cure}': '両方のメッシュが {time} 秒で発散しました。{cure}',
   'The original mesh has diverged at {time} s: {cure}': '元のメッシュが {time} 秒で発散しました。{cure}',
@@ -168,7 +168,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Save all as .zip': 'すべてを .zip で保存',
   'Save settings': '設定を保存',
   'Copy command line': 'コマンドラインをコピー',
-  'The command shares the faces out over all meshes: it has no numbers of faces for single ones.':
+  'The command distributes the faces over all meshes: it cannot set the number of faces of a single mesh.':
     'コマンドは面数をすべてのメッシュに配分します。メッシュごとの面数は指定できません。',
   Report: 'レポート',
   'Save report': 'レポートを保存',
@@ -176,9 +176,9 @@ export const TEST_AND_EXPORT: MessageTable = {
   JSON: 'JSON',
   CSV: 'CSV',
   Markdown: 'Markdown',
-  'Not said': '指定しない',
+  'Not specified': '指定しない',
   Solver: 'ソルバー',
-  "The result's stiffness and masses are tuned so that it moves like the original there":
+  "The result's stiffness and masses are tuned so that it moves like the original in this solver":
     'そのソルバーで元と同じように動くよう、剛性と質量を調整します',
   'Two numbers': '2 つの数値',
   'One factor on stretching and one on bending': '伸びと曲げの係数を 1 つずつ',
@@ -186,7 +186,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Smooth factors at the vertices': '頂点ごとの滑らかな係数',
   Each: '個別',
   'A factor for every spring, triangle and hinge': 'ばね、三角形、ヒンジごとの係数',
-  'As typed in for the original; what is empty follows from the material.':
+  'The values that you use for the original; empty fields follow from the material.':
     '元のメッシュに使う値です。空欄は材料から決まります。',
   'Solving both bodies in {solver} ...': '両方の物体を {solver} で計算しています...',
 };

@@ -89,7 +89,7 @@ function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exp
       {wants.own.value.size > 0 && (
         <p class="hint">
           {say(
-            'The command shares the faces out over all meshes: it has no numbers of faces for single ones.',
+            'The command distributes the faces over all meshes: it cannot set the number of faces of a single mesh.',
           )}
         </p>
       )}

@@ -21,7 +21,7 @@ export const COMPRESSION_NAMES: Record<Compression, string> = {
 const COMPRESSION_WORDS: Record<Compression, string> = {
   'like-input': 'Vertices are stored as they came.',
   none: 'Every program reads it.',
-  quantized: 'About half the size; most engines draw it as it is (KHR_mesh_quantization).',
+  quantized: 'About half the size; most engines draw it without decoding (KHR_mesh_quantization).',
   meshopt: 'Small and quick to open in three.js, Babylon.js and PlayCanvas (EXT_meshopt_compression).',
   draco: 'The smallest, slower to open; most web viewers read it (KHR_draco_mesh_compression).',
 };

@@ -59,7 +59,7 @@ function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
       />
       <Toggle
         label="Draw it large"
-        title="Shows the level of this distance as large as the picture"
+        title="Enlarges the level of this distance to the whole picture"
         checked={isLarge}
         onChange={setLarge}
       />
@@ -87,7 +87,7 @@ function stepFor(heights: readonly number[], level: number): number {
 function describeSwitch(heights: readonly number[], level: number): string {
   if (level === 0) return say('nearest');
   if (heights[level] !== undefined && heights[level] >= heights[level - 1])
-    return say('never: the next is as close');
+    return say('never: the next level has the same error');
   return say('below {pixels} px', { pixels: count(Math.round(heights[level - 1])) });
 }
 

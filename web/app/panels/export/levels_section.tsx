@@ -16,16 +16,17 @@ import { describeVerdict } from './verdict';
 import { say, sentence } from '../../language/say';
 
 const STYLES: Record<LevelStyle, string> = {
-  files: 'files of their own',
+  files: 'separate files',
   nodes: 'nodes NAME_LOD0, _LOD1 ...',
   msft: 'MSFT_lod',
 };
 
 /** The programs that read each style. */
 const STYLE_WORDS: Record<LevelStyle, string> = {
-  files: 'One more file for each level, NAME_lod1 and so on.',
-  nodes: 'Unity and Unreal make a group of levels of such names; other viewers show them all at once.',
-  msft: 'Babylon.js changes levels by the size on the screen; viewers without it show the first level.',
+  files: 'One additional file for each level: NAME_lod1 and so on.',
+  nodes:
+    'Unity and Unreal make a level group of nodes with these names; other viewers show all of them at once.',
+  msft: 'Babylon.js switches levels by the size on the screen; viewers that do not support this show the first level.',
 };
 
 export function LevelsSection({ exported }: { exported: ExportResult | null }) {
@@ -87,7 +88,7 @@ function LevelsField() {
         type="text"
         autocomplete="off"
         placeholder="0.25, 10 %, 500"
-        title={say('With commas between: shares of the faces, or numbers of faces')}
+        title={say('Shares of the faces or numbers of faces, separated by commas')}
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={typed ? typed.text : lods.join(', ')}
@@ -99,7 +100,7 @@ function LevelsField() {
 }
 
 const describeNoLevel = (word: string, faces: number): string =>
-  say('“{word}” is no level: give shares such as 25 % or 0.25, or numbers of up to {faces} faces.', {
+  say('“{word}” is not a level: give shares such as 25 % or 0.25, or numbers of up to {faces} faces.', {
     word,
     faces: count(faces),
   });

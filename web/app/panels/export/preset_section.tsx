@@ -33,7 +33,7 @@ function Changes({ preset }: { preset: PresetName }) {
   return (
     <>
       <p class="hint">{say(PRESETS[preset].why)}</p>
-      {changes.length === 0 && <p class="verdict good">{say('All of it is set.')}</p>}
+      {changes.length === 0 && <p class="verdict good">{say('All of these are set.')}</p>}
       {changes.length > 0 && (
         <>
           <ul class="changes">

@@ -18,7 +18,7 @@ import { UnevenScale } from '../uneven_scale';
 import { say, sentence } from '../../language/say';
 
 const SOLVERS = [
-  { value: 'none', text: 'Not said' },
+  { value: 'none', text: 'Not specified' },
   ...SOLVER_NAMES.map((name) => ({ value: name, text: profileOf(name).label })),
 ];
 
@@ -31,7 +31,7 @@ export function SolverSection({ report }: { report: Report | null }) {
         label="Solver"
         options={SOLVERS}
         value={solver}
-        title="The result's stiffness and masses are tuned so that it moves like the original there"
+        title="The result's stiffness and masses are tuned so that it moves like the original in this solver"
         onChange={(value) =>
           changeSettings({
             solver: value as Settings['solver'],
@@ -66,7 +66,9 @@ function Tuning({ solver, report }: { solver: SolverName; report: Report | null 
       />
       <details class="more">
         <summary>{say(OPTIONS.engine.label)}</summary>
-        <p class="hint">{say('As typed in for the original; what is empty follows from the material.')}</p>
+        <p class="hint">
+          {say('The values that you use for the original; empty fields follow from the material.')}
+        </p>
         {parameters.map((parameter) => (
           <Parameter key={`${solver} ${parameter.name}`} solver={solver} parameter={parameter} />
         ))}

@@ -21,7 +21,7 @@ export function Verdict({ exported }: { exported: ExportResult }) {
   if (!validation)
     return (
       <Section title="Khronos validator">
-        <p class="hint">{say('Not asked: it reads GLB and glTF alone.')}</p>
+        <p class="hint">{say('Not run: it reads only GLB and glTF.')}</p>
       </Section>
     );
   const { errors, messages } = validation;

@@ -58,7 +58,7 @@ export function MethodTable({ table, failures }: { table: Table; failures: reado
       ))}
       <p class="hint">
         {say(
-          "Distances in % of the diagonal; frequencies of modes 1 to 10 as shells, as in the report; area and volume against the original. Time runs from the welded mesh to the result, modes and fit included. A limit that stops one of Limber's methods above the budget is lifted here; your weights count for the chosen method, and pins, locks and paint are known to Limber's methods alone.",
+          "Distances in % of the diagonal; frequencies of modes 1 to 10 as shells, as in the report; area and volume against the original. Time runs from the welded mesh to the result, modes and fit included. A limit that stops one of Limber's methods above this number of faces is lifted here. Your weights apply to the chosen method, and only Limber's methods respect pins, locks and paint.",
         )}
       </p>
     </>

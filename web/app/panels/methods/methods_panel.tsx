@@ -93,7 +93,7 @@ function Progress({ done }: { done: number }) {
 function choose(name: ComparedMethod): string {
   if (!isOwnMethod(name))
     return say(
-      '{method} is here to compare with. Limber shows, tests and saves results of its own methods: choose one of the first three.',
+      '{method} is shown only for comparison. Limber shows, tests and saves results of its own methods: choose one of the first three.',
       { method: say(METHOD_TITLES[name]) },
     );
   if (wants.settings.value.method !== name) changeSettings(methodChange(name));

@@ -5,7 +5,7 @@ import { say, sentence } from '../../language/say';
 
 /** '' if nothing limits its use. */
 export function describeProblems({ health }: OpenedBody): string {
-  if (health === null) return say('It cannot be used, and stays as it is');
+  if (health === null) return say('It cannot be used, and is left unchanged');
   const limits = health.filter(({ kind }) => kind === 'limit').map(({ text }) => sentence(text));
   return limits.join('; ');
 }

@@ -86,8 +86,8 @@ function Lock({ body, i }: { body: OpenedBody; i: number }) {
       aria-pressed={isLocked}
       title={
         isLocked
-          ? say('It keeps all of its faces: let it lose some again')
-          : say('Let it keep all of its faces')
+          ? say('It keeps all of its faces: click to let it lose some again')
+          : say('Keep all of its faces')
       }
       disabled={body.health === null}
       onClick={() => setFacesOf(i, isLocked ? null : body.faces)}

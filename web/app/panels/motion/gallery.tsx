@@ -138,7 +138,9 @@ function Frequency({ modes, mode }: { modes: ModesResult; mode: Mode }) {
     <span
       class="muted"
       title={
-        isNominal ? say('A Laplacian has no physical frequency; this one is in proportion only') : undefined
+        isNominal
+          ? say('A Laplacian has no physical frequencies; only their ratios are meaningful')
+          : undefined
       }
     >
       {(mode.omega / (2 * Math.PI)).toPrecision(3)} {isNominal ? say('nom.') : 'Hz'}

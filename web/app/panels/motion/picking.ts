@@ -33,7 +33,7 @@ export function connectPicking(canvas: HTMLCanvasElement, viewport: Viewport): P
 }
 
 const describeFailure = (error: unknown): string =>
-  say('Nothing can be picked on this mesh: {why}. Put the tool down and take it again for another try.', {
+  say('Nothing can be picked on this mesh: {why}. Switch the tool off and on to try again.', {
     why: error instanceof Error ? error.message : String(error),
   });
 

@@ -179,12 +179,12 @@ const VIDEO_FORMATS: { value: VideoFormat; text: string; hint: string }[] = [
   {
     value: 'webm',
     text: 'WebM',
-    hint: '30 pictures a second; none is lost, however long one takes.',
+    hint: '30 pictures a second; none is dropped, however long one takes to draw.',
   },
   {
     value: 'gif',
     text: 'GIF',
-    hint: '20 pictures a second, at most 960 pixels wide or high: it plays everywhere and again and again, but its file is larger.',
+    hint: '20 pictures a second, at most 960 pixels wide or high: it plays everywhere and in a loop, but its file is larger.',
   },
 ];
 
@@ -219,7 +219,7 @@ function VideoSection() {
       <div class="buttons">
         <MakeButton
           text="Save turntable"
-          title="Once around what the stage shows"
+          title="One turn around what the stage shows"
           file={{ what: 'Recording the turntable', ending: `turntable.${ending}`, type }}
           make={recordTurntable}
         />
@@ -253,13 +253,13 @@ function FigureSection() {
   return (
     <Section
       title="Figure"
-      hint="Original, chosen modes, strain, result, and both moved by the scenario of the Test step, on one page."
+      hint="On one page: original, chosen modes, strain, result, and both in the motion of the Test step."
     >
       <MakeButton
         text="Save figure"
         disabled={!canDrawFigure()}
         title={canDrawFigure() ? undefined : 'Go to Reduce first: the figure shows the result.'}
-        file={{ what: 'Moving both for the figure', ending: 'figure.png', type: 'image/png' }}
+        file={{ what: 'Simulating both for the figure', ending: 'figure.png', type: 'image/png' }}
         make={figurePng}
       />
       {!canDrawFigure() && <p class="hint">{say('Go to Reduce first: the figure shows the result.')}</p>}

@@ -31,7 +31,7 @@ export function StopReason() {
           )}
         </p>
       )}
-      {guard && <Cure text="Let it go farther" change={{ maxDeviation: 0 }} />}
+      {guard && <Cure text="Lift the limit" change={{ maxDeviation: 0 }} />}
       {frequency && (
         <p class={frequency.isBinding ? 'hint warning' : 'hint'}>{describeFrequency(frequency, shown)}</p>
       )}

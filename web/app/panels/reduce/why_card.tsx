@@ -126,7 +126,7 @@ function Reasons({ vertex }: { vertex: number }) {
       </ul>
       {keep > 1 && (
         <p class="muted">
-          {say('Painted or named to be kept: all of this counts {times} times.', { times: fixed(keep, 0) })}
+          {say('Painted or marked to be kept: all of this counts {times} times.', { times: fixed(keep, 0) })}
         </p>
       )}
     </>

@@ -47,7 +47,7 @@ function Caption({ hasNoise }: { hasNoise: boolean }) {
         <span class="key deviation" /> {say('Deviation, mean over the surface')}
       </span>
       {hasNoise && (
-        <span title={say('The original against itself with its constraints in another order')}>
+        <span title={say('The original compared with itself, with its constraints in another order')}>
           <span class="key noise" /> {say('Noise floor')}
         </span>
       )}

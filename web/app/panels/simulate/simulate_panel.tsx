@@ -29,7 +29,7 @@ function describeScenario(scenario: Settings['scenario']): string {
   const { pinned, sentence } = scenarioWords(scenario);
   const what = say(sentence, { end: say(ends.high) });
   const isPinned = pinSource.value !== 'scenario';
-  if (isPinned && pinned === '') return say('Falls as far as what is held in place lets it.');
+  if (isPinned && pinned === '') return say('Falls as far as its pins allow.');
   if (isPinned || pinned === '') return what;
   const pinnedEnds = pinned === 'both' ? say('Both ends') : say(ends[pinned]);
   return `${what} ${say('{ends} held.', { ends: pinnedEnds })}`;
@@ -87,11 +87,11 @@ function PinTroubleText({ trouble }: { trouble: PinProblem }) {
       <p class="hint warning">
         {trouble === 'still'
           ? say(
-              '{end} is not held, and this scenario moves nothing else: both meshes stand still. Hold it by scenario, or take Sway.',
+              '{end} is not held, and this scenario moves nothing else, so both meshes stand still. Hold it by scenario, or choose Sway.',
               { end },
             )
           : say(
-              'This scenario moves what is held towards {end}, and the held vertices reach across the middle: they are torn apart. Hold by scenario, or take Sway.',
+              'This scenario moves only the held vertices on the side of {end}. They reach across the middle, so they are torn apart. Hold by scenario, or choose Sway.',
               { end },
             )}
       </p>
@@ -127,7 +127,7 @@ function PinSourceSelect() {
   return (
     <Select
       label="Held in place"
-      title="Pinned on the original and carried over to the optimized mesh. Pins are those of step 2."
+      title="Pinned on the original and transferred to the optimized mesh. “Pins” are those of step 2."
       options={options}
       value={pinSource.value}
       onChange={(source) => (twin.chosenPinSource.value = source as PinSource)}

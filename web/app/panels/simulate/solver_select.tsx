@@ -27,17 +27,17 @@ export const SHELL: Words = {
 
 /** What is called solid: closed parts are, and open ones are shells. */
 export const SOLID: Record<DefaultModel, Words> = {
-  solid: { text: "Limber's solid", title: 'It has an inside, the same in both bodies' },
+  solid: { text: "Limber's solid", title: 'Filled with material in the same way in both bodies' },
   shell: SHELL,
   both: {
     text: "Limber's solid and shell",
-    title: 'Closed parts have an inside, the same in both bodies; open ones are shells',
+    title: 'Closed parts are filled with material in the same way in both bodies; open ones are shells',
   },
 };
 
 export const SPRINGS: Words = {
   text: "The paper's springs",
-  title: 'The edges, as in the paper: another material on every mesh',
+  title: 'Springs along the edges, as in the paper: a different material on every mesh',
 };
 
 /** Words for each; a body whose parts are all open is a shell in either way, which is offered once. */
@@ -99,7 +99,7 @@ function stopGeneric(): void {
   };
   status.notice.value = {
     kind: 'info',
-    text: say('“Save all four as .zip” was stopped, as another solver was chosen.'),
+    text: say('“Save all four as .zip” was stopped because another solver was chosen.'),
     action: { label: 'Go back and save all four', run },
   };
 }
@@ -107,7 +107,7 @@ function stopGeneric(): void {
 function titleOf(solver: SolverName): string {
   const { words, status } = profileOf(solver);
   const known =
-    status === 'derived' ? say(' Derived from its documents, not checked against the engine.') : '';
+    status === 'derived' ? say(' Derived from its documentation, not checked against the engine.') : '';
   return say('Both bodies are {words}, solved here by XPBD.', { words: sentence(words) }) + known;
 }
 
@@ -125,7 +125,7 @@ function TakeAlong() {
   return (
     <>
       <p class="hint">
-        {say('For {solver} take the model and its settings file, which has the numbers to type in.', {
+        {say('For {solver}, export the model and its settings file, which has the numbers to type in.', {
           solver: say(profileOf(solver).label),
         })}
       </p>
@@ -137,7 +137,7 @@ function TakeAlong() {
 }
 
 const TUNINGS = [
-  { value: 'as it is', text: 'As it is', title: 'The same numbers for both' },
+  { value: 'as it is', text: 'Untuned', title: 'The same numbers for both' },
   { value: 'tuned', text: 'Tuned', title: 'The masses and factors with which it moves like the original' },
 ] as const;
 
@@ -157,7 +157,7 @@ function Tuning() {
       </div>
       {isWanted && !usedTuning.value && (
         <p class="hint">
-          {status.working.value ? say('Tuning ...') : say('It could not be tuned: shown as it is.')}
+          {status.working.value ? say('Tuning ...') : say('It could not be tuned, and is shown untuned.')}
         </p>
       )}
       <Trial />

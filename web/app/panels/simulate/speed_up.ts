@@ -23,7 +23,7 @@ export const speedUp = ({ original, optimized }: StepTimes): string =>
 /** The explanation of what limits the speed-up; '' if nothing does. */
 export function describeSpeedUp({ original, optimized, haveLattice }: StepTimes): string {
   const isSlow = optimized > 0 && original < MIN_GAIN * optimized;
-  if (isSlow && haveLattice) return say('same inside');
+  if (isSlow && haveLattice) return say('same lattice');
   if (isSlow && original < SHORT_STEP) return say('too few faces');
   return '';
 }

@@ -11,10 +11,10 @@ export function describeTrial({ scene, kept, tuned, untouched }: TunedMotion): s
   const tried = listed(scene.split(' and ').map((name) => say(TRIED[name] ?? name)));
   if (kept === 'untouched')
     return say(
-      "A trial of {tried} came closer with the original's stiffness: the masses alone are tuned. Other motions may differ.",
+      "In a trial of {tried}, it came closer with the original's stiffness, so only the masses are tuned. Other motions may differ.",
       { tried },
     );
   return tuned < untouched
-    ? say('A trial of {tried} came closer tuned. Other motions may differ.', { tried })
+    ? say('In a trial of {tried}, it came closer tuned. Other motions may differ.', { tried })
     : '';
 }

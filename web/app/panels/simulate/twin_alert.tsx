@@ -29,7 +29,7 @@ export function TwinAlert() {
 
 function describeDivergence({ diverged, time }: TwinFrame): string {
   const { substeps } = wants.settings.value;
-  const cure = say('raise the substeps (now {substeps}) or take a softer material, then reset.', {
+  const cure = say('raise the substeps (now {substeps}) or choose a softer material, then reset.', {
     substeps,
   });
   const values = { time: time.toFixed(2), cure };

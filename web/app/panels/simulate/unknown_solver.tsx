@@ -13,10 +13,10 @@ import './unknown_solver.css';
 
 /** The parameters that programs ask for, and examples of such programs. */
 const ASKED: readonly { value: GenericSolver; text: string }[] = [
-  { value: 'shell', text: 'How stiff the material is and how thick, as for rubber or cloth' },
-  { value: 'hinge-shell', text: 'How stiff its faces are, and how stiff it bends at its edges' },
+  { value: 'shell', text: 'Stiffness and thickness of the material, as for rubber or cloth' },
+  { value: 'hinge-shell', text: 'Stiffness of its faces, and bending stiffness at its edges' },
   { value: 'dihedral', text: 'Stretching of edges, and bending as an angle between faces: Houdini, Unreal' },
-  { value: 'springs', text: 'Springs alone, for stretching and for bending: Unity, Godot' },
+  { value: 'springs', text: 'Springs only, for stretching and for bending: Unity, Godot' },
 ];
 
 export function UnknownSolver({ onChoose }: { onChoose(solver: GenericSolver): void }) {
@@ -24,7 +24,7 @@ export function UnknownSolver({ onChoose }: { onChoose(solver: GenericSolver): v
     <>
       <p class="hint">
         {say(
-          'The result is the one that keeps shape, outline and pins. Any engine can take it, but its stiffness and masses are tuned to none.',
+          'The result keeps shape, outline and pins. Any engine can use it, but its stiffness and masses are not tuned for one.',
         )}
       </p>
       <table class="solver-table">
@@ -68,7 +68,7 @@ function SaveForAll() {
   return (
     <>
       <p class="hint">
-        {say('Or take the model with the numbers for each of the four, and try which of them fits.')}
+        {say('Or save the model with the numbers for each of the four, and try which of them fits.')}
       </p>
       <button
         type="button"

@@ -8,17 +8,17 @@ import { say } from '../../language/say';
 
 const HINTS: Record<Step, string> = {
   model:
-    'Drag to turn the model. Its lists say what is in the file and what was repaired. Motion comes next.',
+    'Drag to turn the model. The lists show what is in the file and what was repaired. Motion comes next.',
   motion:
-    'These are the ways in which it bends most easily. Click the one that looks like the motion you expect.',
+    'These are the ways in which the model bends most easily. Click the one that looks like the motion you expect.',
   reduce:
-    'Drag the big slider “Kept faces”: faces leave first where motion does not show. Compare with V, blink with B.',
+    'Drag the big slider “Kept faces”: faces are removed first where motion does not show. Compare with V, blink with B.',
   test: 'Both meshes move under the same forces. Drag one to pull at it. Export is at the upper right.',
 };
 /** For touch screens, which have no keys. */
 const TOUCH_HINTS: Partial<Record<Step, string>> = {
   reduce:
-    'Drag the big slider “Kept faces”: faces leave first where motion does not show. Blink shows the original and the result in turn.',
+    'Drag the big slider “Kept faces”: faces are removed first where motion does not show. Blink shows the original and the result in turn.',
 };
 const STEPS = Object.keys(HINTS) as Step[];
 const STORE = 'limber-hints';

@@ -44,7 +44,7 @@ export function describeOutcome(items: readonly Counted[]): string {
   const parts = [
     done > 0 ? say('{number} done', { number: done }) : '',
     failed > 0 ? say('{number} failed', { number: failed }) : '',
-    waiting > 0 ? say('{number} not begun', { number: waiting }) : '',
+    waiting > 0 ? say('{number} not started', { number: waiting }) : '',
   ];
   return listed(parts.filter((part) => part !== ''));
 }

@@ -120,7 +120,7 @@ export const tasks: Task[] = [
     result: results.history,
   },
   {
-    what: 'Sharing the faces out',
+    what: 'Distributing the faces',
     key: () => (isReducing() && areSeveral() ? afterHistory(sharesNow)() : null),
     run: () => client.call((worker) => worker.shares(settings(), keptFaces.value)),
     result: results.shares,
@@ -132,7 +132,7 @@ export const tasks: Task[] = [
     result: results.fitted,
   },
   {
-    what: 'Tuning the result to its solver',
+    what: 'Tuning the result for its solver',
     key: () => (isTuningWanted.value && results.fitted.value ? atRest(STAGES.tuned)() : null),
     run: () => client.call((worker) => worker.tune(body(), settings(), restedFaces.value)),
     result: results.tuned,
@@ -172,7 +172,7 @@ export const tasks: Task[] = [
     isPatient: true,
   },
   {
-    what: 'Dressing the result in its materials',
+    what: 'Applying materials to the result',
     key: () => (isResultFileWanted() ? keyedByFile(resultFileNow)() : null),
     run: () => client.call((worker) => worker.resultFile(settings(), keptFaces.value)),
     result: results.resultFile,
@@ -187,7 +187,7 @@ export const tasks: Task[] = [
     isPatient: true,
   },
   {
-    what: 'Asking why vertices stay',
+    what: 'Finding why vertices stay',
     key: () =>
       view.step.value === 'reduce' && view.hover.value !== null && results.metrics.value !== null
         ? afterHistory(whyKey)()

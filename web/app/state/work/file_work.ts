@@ -100,7 +100,7 @@ export function beginWork(
   if (!isKept) return;
   status.notice.value = {
     kind: 'info',
-    text: say('What you did to {name} before is here again.', { name }),
+    text: say('Your earlier work on {name} is restored.', { name }),
     action: { label: 'Start anew', run: () => startAnew(fresh) },
   };
 }
