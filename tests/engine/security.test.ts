@@ -136,7 +136,7 @@ describe('JSON of others', () => {
     `{"schema":"limber-batch/1","overrides":[{"files":"**","options":{"__proto__":{"faces":7}}}]}`,
     `{"schema":"limber-batch/1","overrides":[{"files":"**","options":{},"__proto__":{"files":["*"]}}]}`,
   ])('changes no prototype and no option as a configuration: %s', (text) => {
-    expect(() => readBatchConfig(text, 'b.json')).toThrow(/^b\.json.*(is not known|there is no option)/);
+    expect(() => readBatchConfig(text, 'b.json')).toThrow(/^b\.json.*(is unknown|there is no option)/);
     expect('polluted' in {}).toBe(false);
   });
 
