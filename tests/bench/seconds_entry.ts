@@ -1,4 +1,4 @@
-// The entry of the bundle of seconds.mjs: generators, how files are read, and a tuning without its trial of the motion.
+// The entry of the bundle of seconds.mjs: generators, how files are read, and a tuning without its motion trial.
 
 import type { Core, TriangleMesh } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
@@ -35,7 +35,7 @@ export function ballFile(faces: number): Promise<Uint8Array> {
 
 export const partsFile = (count: number): Promise<Uint8Array> => bytesOf(partsScene(count));
 
-/** Seconds that a tuning of a quarter of the faces takes, without the trial of the motion, and what is left of the error, in %. */
+/** Seconds that a tuning of a quarter of the faces takes, without the motion trial, and what is left of the error, in %. */
 export async function timeTuning(core: Core, faces: number, solver: SolverName) {
   const { bodies } = await openModel([{ name: 'ball.glb', bytes: await ballFile(faces) }]);
   const run = new BodyRun({ core, body: bodies[0], document: null });

@@ -1,4 +1,4 @@
-// The panel of solvers as matrices.
+// The stiffness matrices of the solver models.
 
 #include "elastic/solvers/solver_stiffness.h"
 

@@ -218,7 +218,7 @@ describe('a comparison of motions', () => {
   });
 });
 
-describe('a solver of the panel', () => {
+describe('the solver of an engine', () => {
   const arch = (mesh: TriangleMesh): TriangleMesh => ({
     ...mesh,
     positions: mesh.positions.map((value, i) =>

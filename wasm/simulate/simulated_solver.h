@@ -8,7 +8,7 @@
 
 namespace limber {
 
-// A solver of the panel on one mesh, with its tuned parameters. Constraints are numbered as in
+// A solver model on one mesh, with its tuned parameters. Constraints are numbered as in
 // elastic/solvers/solver_constraints.h: triangles by index, or edges in the order of Topology::edges; bending
 // constraints in the order of `bendingEdges`.
 struct SimulatedSolver {

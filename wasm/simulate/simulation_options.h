@@ -22,12 +22,12 @@ inline constexpr int kMostSubsteps = 10000;  // of a step
 enum class SimulationModel : int32_t { Springs = 0, Shell = 1, Solid = 2 };
 
 // Positions and lengths of the mesh, of pins and of colliders are in units of the mesh; everything else is in
-// SI units. Defaults and ranges that users see are only defined in web/engine/settings/options.ts.
+// SI units. Defaults and ranges that users see are only defined in web/engine/settings/table.ts.
 struct SimulationOptions {
   ElasticMaterial material;
   SimulationModel model = SimulationModel::Shell;
-  // A solver of the panel instead of `model`. Its constants replace the material, which must have the same
-  // unit. Only Morley's shell keeps volumes.
+  // A solver model (elastic/solvers) instead of `model`. Its constants replace the material, which must have
+  // the same unit. Only Morley's shell keeps volumes.
   std::optional<SimulatedSolver> solver = {};
   int substeps = 0;         // per step, 1 to 10,000; callers must set it
   double damping = 0;       // 1/s, >= 0: the rate at which velocities decay

@@ -4,7 +4,7 @@
 //   --all          includes the large meshes
 //   --quick        for tuning: prints a few meshes at 25 % with our methods only, in a minute
 //   --motion       only measures how far the results' motions deviate from those of their originals, at 25 %
-//   --set KEY=VALUE      changes a setting of our methods (repeatable; web/engine/settings/options.ts), e.g. --set fit=off
+//   --set KEY=VALUE      changes a setting of our methods (repeatable; web/engine/settings/table.ts), e.g. --set fit=off
 //   --methods a,b  --meshes a,b  --ratios 0.5,0.25      which to run; the beginning of a mesh's name is enough
 
 import { parseArgs } from 'node:util';

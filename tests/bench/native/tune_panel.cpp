@@ -1,4 +1,4 @@
-// Tunes coarse meshes to their originals in every solver of the panel and prints the errors of frequencies as
+// Tunes coarse meshes to their originals with every solver model and prints the errors of frequencies as
 // Markdown, for docs/engines.md:
 //
 //   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--trial] [--pins 6]

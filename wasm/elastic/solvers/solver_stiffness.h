@@ -12,7 +12,7 @@
 
 namespace limber {
 
-// The stiffness at rest of any solver of the panel, as a sum over its constraints:
+// The stiffness at rest of any solver model, as a sum over its constraints:
 //   K = sum_c s_c B_c^T B_c   with a factor s_c >= 0 for each constraint.
 // At the undeformed rest shape this is the exact second derivative of the energy, so that for a mode phi_i
 // with phi_i^T M phi_i = 1 the derivative of its eigenvalue with respect to a factor is d lambda_i / d s_c =

@@ -11,7 +11,7 @@
 
 namespace limber {
 
-// Finds the lowest modes of one connected mesh in a solver of the panel, pinned at some of its vertices or
+// Finds the lowest modes of one connected mesh in a solver model, pinned at some of its vertices or
 // free, for any factors on its constraints. The symbolic factorisation is computed once and shared by all
 // clampings.
 //

@@ -10,7 +10,7 @@
 
 namespace limber {
 
-// A trial of the motion itself before tuned parameters are returned: the original moves through one or two
+// The motion trial before tuned parameters are returned: the original moves through one or two
 // short scenes in our own implementation of a solver, and other bodies are compared with it.
 //
 // Scenes: `sway` for a closed body: the lower end of the longest side is pinned, and the rest starts

@@ -12,7 +12,7 @@ namespace limber {
 // derivatives of all eigenvalues are exact and cheap.
 //
 // If the original has a border, the factors on stretching stay 1, because the lengths of a hanging sheet
-// govern its motion; a global stretch factor is tuned as well if a trial of the motion finds that it improves
+// govern its motion; a global stretch factor is tuned as well if a motion trial finds that it improves
 // the motion. If the solver's energy leaves motions without resistance (a flat sheet of springs bends freely,
 // and hinges let three sheets swing about a shared edge), or if no search finds the modes, there are no
 // frequencies to fit: factors stay 1, errors are NaN and Tuned::frequencyStatus has the reason. Factors stay

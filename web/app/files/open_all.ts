@@ -29,7 +29,9 @@ export async function openAll(files: SourceFile[]): Promise<void> {
 /** Which files beside models are meant to be opened and cannot be, and the cure; undefined where there are none. */
 function describeLeftOut(files: readonly SourceFile[]): string | undefined {
   if (!files.some(({ name }) => isModelName(name))) return undefined;
-  const [first, ...others] = files.flatMap(({ name }) => describeConversion(name) ?? wayOfSettings(name) ?? []);
+  const [first, ...others] = files.flatMap(
+    ({ name }) => describeConversion(name) ?? wayOfSettings(name) ?? [],
+  );
   if (others.length === 0) return first;
   return sayCounted(
     others.length,

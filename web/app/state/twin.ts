@@ -62,7 +62,7 @@ export const usedTuning = computed<TunedBody | null>(() => {
   return found.key === wantedKey(STAGES.tuned) ? found.tuned : null;
 });
 
-/** What the shown body can move as without a solver of the panel. */
+/** The models with which the shown body can move without the solver of an engine. */
 export const ownModel = computed<DefaultModel>(() => {
   const { value: body } = results.body;
   return body ? defaultModelOf(body.inspection) : 'solid';

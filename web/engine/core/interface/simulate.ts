@@ -26,7 +26,7 @@ export interface CollisionScene {
   colliders: Collider[];
 }
 
-/** A solver of the panel on one mesh, with what tuning gives it; see wasm/simulate/simulated_solver.h for the order of factors. */
+/** A solver model on one mesh, with its tuned parameters; see wasm/simulate/simulated_solver.h for the order of factors. */
 export interface SimulatedSolver {
   model: SolverModel;
   constants: SolverConstants;

@@ -7,7 +7,7 @@ export type BendElement = 'morley' | 'hinge-area' | 'hinge-length' | 'hinge' | '
 export type MassRule = 'area' | 'vertex';
 export type TuneKind = 'global' | 'vertex' | 'constraint';
 
-/** A solver of the panel, see wasm/elastic/solvers/solver_model.h. */
+/** A solver model, see wasm/elastic/solvers/solver_model.h. */
 export interface SolverModel {
   stretch: StretchElement;
   bend: BendElement;
