@@ -322,7 +322,7 @@ describe('limber batch', () => {
     run.kill('SIGINT');
     expect(await new Promise((done) => run.on('close', done))).toBe(130);
     expect(Buffer.concat(said).toString()).toBe(
-      'limber: stopped; the same command goes on with what is left.\n',
+      'limber: stopped; run the same command again to continue.\n',
     );
     expect(existsSync(path('out/.limber-batch/work'))).toBe(false);
     expect(existsSync(path('out/.limber-batch/lock.json'))).toBe(false);

@@ -92,6 +92,6 @@ it('the faces of a scene are counted as the slider shares them out, also until i
   results.originalFile.value = new Uint8Array();
   view.step.value = 'reduce';
   expect(sceneFaces('optimized')).toBe(18);
-  results.shares.value = { targets: [4, 9, 0] } as never;
+  results.shares.value = { expected: [4, 9, 0] } as never;
   expect([sceneFaces('original'), sceneFaces('optimized')]).toEqual([37, 20]);
 });

@@ -127,7 +127,7 @@ export interface SharedFaces {
   fewest: number;
   /** targets[i]: of body i of the file */
   targets: number[];
-  /** as `targets`, where bodies that cannot have so few stop: what the result has, but for what its limits keep */
+  /** faces of each body as the result will have them without limits: like `targets`, but a body stops at the fewest faces it can have */
   expected: number[];
 }
 
