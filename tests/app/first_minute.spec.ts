@@ -110,7 +110,9 @@ test('files beside a model that are left out are named, with the cure', async ({
   const [sheet, chair] = [writeScratch('sheet.obj', sheetObj(8)), writeScratch('stool.fbx', 'Kaydara FBX')];
   await drop(page, sheet, chair);
   await expect(page.locator('.filename')).toHaveText('sheet.obj');
-  await expect(notice).toContainText('stool.fbx is a format that is not read here: import it in Blender');
+  await expect(notice).toContainText(
+    'stool.fbx is in a format that Limber cannot read: import it in Blender',
+  );
   await drop(page, sheet, writeScratch('sheet.settings.json', '{}'));
   await expect(notice).toContainText('sheet.settings.json was left out: drop it alone once the model');
   await drop(page, sheet, writeScratch('sheet.png', ''));
