@@ -120,7 +120,10 @@ test('a settings file brings its solver, parameters and faces back, or says what
     `Discrete Shells with its parameters, ${faces.length / 3} faces.`,
   );
   await expect(page.getByLabel('Solver').first()).toHaveValue('hinge-shell');
-  await expect(page.getByRole('button', { name: 'Tuned' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('button', { name: 'Tuned', exact: true })).toHaveAttribute(
+    'aria-pressed',
+    'true',
+  );
   await goTo(page, 'Reduce');
   await expect(keptFaces(page)).toHaveValue(String(faces.length / 3));
   await drop(page, writeScratch('broken.json', text.replace('"hinge-shell"', '"havok"')));
