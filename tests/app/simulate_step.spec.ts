@@ -200,7 +200,7 @@ test('who does not know the solver gets the plain result, words to choose by, an
   expect(again.suggestedFilename()).toBe('bar-limber-any-engine.zip');
   await expect(stopped).toHaveCount(0);
 
-  const table = page.getByRole('row', { name: /Springs alone/ });
+  const table = page.getByRole('row', { name: /Springs only/ });
   await table.getByRole('button', { name: 'Springs' }).click();
   await expect(solver).toHaveValue('springs');
   await expect(table).toHaveCount(0);
@@ -454,7 +454,7 @@ test('the step works with the keyboard alone', async ({ page }) => {
   await expect(page.getByLabel('Original driven by optimized')).toBeChecked();
   const drawn = page.locator('.pane-labels > span').filter({ hasText: 'Original, carried by the optimized' });
   await expect(drawn).toContainText('1,792 faces');
-  await page.keyboard.press('2');
+  await page.keyboard.press('c');
   await expect(button(page, 'Deviation')).toHaveAttribute('aria-pressed', 'true');
   await scenario(page).focus();
   await page.keyboard.press('ArrowDown');
