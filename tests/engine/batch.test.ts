@@ -321,9 +321,7 @@ describe('limber batch', () => {
     while (!existsSync(path('out/.limber-batch/work'))) await new Promise((done) => setTimeout(done, 5));
     run.kill('SIGINT');
     expect(await new Promise((done) => run.on('close', done))).toBe(130);
-    expect(Buffer.concat(said).toString()).toBe(
-      'limber: stopped; run the same command again to continue.\n',
-    );
+    expect(Buffer.concat(said).toString()).toBe('limber: stopped; run the same command again to continue.\n');
     expect(existsSync(path('out/.limber-batch/work'))).toBe(false);
     expect(existsSync(path('out/.limber-batch/lock.json'))).toBe(false);
   });
