@@ -410,7 +410,7 @@ test('the bodies can be overlaid, driven and coloured by deviation', { tag: '@fu
     pictures.push(next);
   };
   await page.getByLabel('Original driven by optimized').check();
-  await expect(page.locator('.pane-labels')).toContainText('Original, carried by the optimized 896 faces');
+  await expect(page.locator('.pane-labels')).toContainText('Original, carried by the optimized 1,792 faces');
   await isNew();
   await button(page, 'Deviation').click();
   await expect(page.locator('.legend')).toContainText(/Deviation, % of diagonal/);
