@@ -15,6 +15,15 @@ const REASONS: Record<string, string> = {
   ERR_FS_FILE_TOO_LARGE: 'it is larger than 2 GB',
 };
 
+/** Calls `write`, which writes to `path`. Throws UsageError if the system refuses. */
+export function writing<Value>(path: string, write: () => Value): Value {
+  try {
+    return write();
+  } catch (error) {
+    throw fileError(`${path} cannot be written`, error);
+  }
+}
+
 /** `what`: the beginning of the sentence, such as "a.glb cannot be written". */
 export function fileError(what: string, error: unknown): Error {
   if (error instanceof UsageError) return error;

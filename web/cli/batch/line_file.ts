@@ -1,7 +1,7 @@
 /** A file to whose end lines are added. */
 
 import { closeSync, fsync, openSync, writeSync } from 'node:fs';
-import { fileError } from '../file_error';
+import { writing } from '../file_error';
 
 /**
  * A line is the system's once `add` returns, so that it outlives a kill; it is on the disk soon after, for which nobody waits. Whoever
@@ -15,12 +15,12 @@ export class LineFile {
 
   /** Throws UsageError. */
   constructor(private readonly path: string) {
-    this.file = this.named(() => openSync(path, 'a'));
+    this.file = writing(path, () => openSync(path, 'a'));
   }
 
   /** Throws UsageError, as well where an earlier line could not be brought to the disk. */
   add(line: string): void {
-    this.named(() => {
+    writing(this.path, () => {
       if (this.failure) throw this.failure;
       // The newline before it ends what an earlier program may have left of a line.
       writeSync(this.file, `\n${line}\n`);
@@ -32,14 +32,6 @@ export class LineFile {
   close(): void {
     this.isClosed = true;
     if (this.state === 'quiet') closeSync(this.file);
-  }
-
-  private named<Value>(write: () => Value): Value {
-    try {
-      return write();
-    } catch (error) {
-      throw fileError(`${this.path} cannot be written`, error);
-    }
   }
 
   private flush(): void {

@@ -12,7 +12,7 @@ import { startStopwatch } from '../../engine/core/stopwatch';
 import { isModelName } from '../../engine/document/format_names';
 import { worstFidelity } from '../../engine/report/result_report';
 import { describeFailure } from '../failure';
-import { fileError } from '../file_error';
+import { writing } from '../file_error';
 import { finishOptimize, missedOf, optimizeModel } from '../optimize';
 import type { Optimized } from '../optimize';
 import { loadSessionCore } from '../core_start';
@@ -73,11 +73,7 @@ function stage(
   { path, content }: { path: string; content: Uint8Array | string },
 ): StagedFile {
   const staged = join(folder, `${number}.part`);
-  try {
-    writeFileSync(staged, content);
-  } catch (error) {
-    throw fileError(`${path} cannot be written`, error);
-  }
+  writing(path, () => writeFileSync(staged, content));
   const name = relative(out, path).split(sep).join('/');
   return { staged, path, name, bytes: Buffer.byteLength(content), sha256: hashOf(content) };
 }
