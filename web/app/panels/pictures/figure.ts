@@ -12,6 +12,7 @@ import type { FigureBody } from '../../viewer/picture/figure_pictures';
 import type { Viewport } from '../../viewer/viewport';
 import type { ModesResult, StrainOverview } from '../../worker/protocol';
 import { guidingModes } from '../motion/mode_choice';
+import { hasClearEdges } from '../viewport/show_bodies';
 import { composeFigure } from './figure_page';
 import type { FigurePicture } from './figure_page';
 import type { PictureJob } from './pictures_state';
@@ -24,8 +25,6 @@ const MAX_MODES = 3;
 const AMPLITUDE = 0.12;
 /** Of each picture, in pixels. */
 const HEIGHT = 720;
-/** Edges of a mesh with more faces cannot be told apart in a picture. */
-const MAX_FACES_WITH_EDGES = 12_000;
 
 /** A body of the figure with its caption. */
 interface CaptionedBody extends FigureBody {
@@ -68,7 +67,7 @@ export async function figurePng(viewport: Viewport, job: PictureJob): Promise<Ui
 const movedResult = ({ mesh }: MeshAt, positions: Float32Array): TriangleMesh => ({ ...mesh, positions });
 
 const faces = ({ triangles }: TriangleMesh): number => triangles.length / 3;
-const hasWires = (mesh: TriangleMesh): boolean => faces(mesh) <= MAX_FACES_WITH_EDGES;
+const hasWires = (mesh: TriangleMesh): boolean => hasClearEdges(faces(mesh));
 
 const plain = (title: string, mesh: TriangleMesh): CaptionedBody => ({
   ...{ mesh, field: null, hasWires: hasWires(mesh) },

@@ -31,10 +31,12 @@ const WIRE_STRENGTH = { plain: 0.55, field: 0.42, file: 0.35 };
 /** Edges of a mesh with more faces cannot be told apart in the picture of a whole mesh. */
 const MAX_FACES_WITH_EDGES = 12_000;
 
+/** Whether the edges of a whole mesh with `faces` faces can be distinguished. */
+export const hasClearEdges = (faces: number): boolean => faces <= MAX_FACES_WITH_EDGES;
+
 /** Whether edges are drawn: as the user has chosen, otherwise if they can be distinguished and no material is shown. */
 export const isWireShown = (): boolean =>
-  view.wire.value ??
-  (!isFileDrawn.value && (results.body.value?.inspection.faces ?? 0) <= MAX_FACES_WITH_EDGES);
+  view.wire.value ?? (!isFileDrawn.value && hasClearEdges(results.body.value?.inspection.faces ?? 0));
 
 export function shownPanes(): PaneName[] {
   if (view.step.value === 'test' && shownMesh.value) return ['original', 'optimized'];
