@@ -168,7 +168,7 @@ test('with a solver, the page names the meshes that their nodes scale unevenly',
   await drop(page, writeScratch('stretched.glb', await io.writeBinary(document)));
   await expect(page.locator('.left .filename').first()).toHaveText('stretched.glb');
   const warning = page.getByText(
-    'blue: mesh and masses for the solver have the mean of the scale of the node',
+    'blue: the node scales the mesh non-uniformly, so mesh and masses for the solver get the mean scale',
   );
   await goTo(page, 'Test');
   await expect(page.getByLabel('Scenario', { exact: true })).toBeVisible();

@@ -1,4 +1,4 @@
-/** What a solver makes of meshes that their nodes scale unevenly, as on the command line. */
+/** The warning about non-uniform scales of nodes with a solver, as on the command line. */
 
 import { results, wants } from '../state/store';
 import { listed, say } from '../language/say';
@@ -10,7 +10,7 @@ export function UnevenScale() {
   return (
     <p class="hint warning">
       {say(
-        '{bodies}: mesh and masses for the solver have the mean of the scale of the node, and so another shape than the scene. Apply that scale in the modelling program first.',
+        '{bodies}: the node scales the mesh non-uniformly, so mesh and masses for the solver get the mean scale and another shape than in the scene. Apply that scale in the modelling program first.',
         { bodies: listed(uneven.map(({ name }) => name)) },
       )}
     </p>

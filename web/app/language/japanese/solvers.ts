@@ -4,7 +4,7 @@ import type { MessageTable } from '../message_table';
 
 export const SOLVERS: MessageTable = {
   // web/app/panels/uneven_scale.tsx
-  '{bodies}: mesh and masses for the solver have the mean of the scale of the node, and so another shape than the scene. Apply that scale in the modelling program first.':
+  '{bodies}: the node scales the mesh non-uniformly, so mesh and masses for the solver get the mean scale and another shape than in the scene. Apply that scale in the modelling program first.':
     '{bodies}: ソルバー用のメッシュと質量にはノードの拡大率の平均が使われ、シーンとは形が異なります。先にモデリングソフトで拡大率を適用してください。',
   'Discrete Shells': 'Discrete Shells',
   'Edges and hinges': '辺とヒンジ',
