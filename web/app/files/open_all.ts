@@ -30,7 +30,7 @@ export async function openAll(files: SourceFile[]): Promise<void> {
 function describeLeftOut(files: readonly SourceFile[]): string | undefined {
   if (!files.some(({ name }) => isModelName(name))) return undefined;
   const [first, ...others] = files.flatMap(
-    ({ name }) => describeConversion(name) ?? wayOfSettings(name) ?? [],
+    ({ name }) => describeConversion(name) ?? describeSettings(name) ?? [],
   );
   if (others.length === 0) return first;
   return sayCounted(
@@ -41,7 +41,7 @@ function describeLeftOut(files: readonly SourceFile[]): string | undefined {
   );
 }
 
-const wayOfSettings = (name: string): string | null =>
+const describeSettings = (name: string): string | null =>
   /\.settings\.json$/i.test(name)
     ? say('{name} was left out: drop it alone once the model that it was made for is open.', { name })
     : null;

@@ -143,7 +143,7 @@ function pinnedVertices(): Uint32Array | null {
 }
 
 /** What is wrong with the held vertices in the scenario; null where nothing is. */
-export const troubleOfPins = computed((): PinProblem | null => {
+export const problemOfPins = computed((): PinProblem | null => {
   const { value: body } = results.body;
   const pinned = pinnedVertices();
   if (!body || !pinned || !results.file.value) return null;

@@ -63,7 +63,7 @@ export const usedTuning = computed<TunedBody | null>(() => {
 });
 
 /** The models with which the shown body can move without the solver of an engine. */
-export const ownModel = computed<DefaultModel>(() => {
+export const defaultModel = computed<DefaultModel>(() => {
   const { value: body } = results.body;
   return body ? defaultModelOf(body.inspection) : 'solid';
 });
@@ -71,5 +71,5 @@ export const ownModel = computed<DefaultModel>(() => {
 /** Whether original and result have an inside: cells of the same size in both. A calibrated body is a shell. */
 export const haveLattice = computed(() => {
   const { solver, material, calibrate } = wants.settings.value;
-  return solver === 'none' && material === 'solid' && !calibrate && ownModel.value !== 'shell';
+  return solver === 'none' && material === 'solid' && !calibrate && defaultModel.value !== 'shell';
 });

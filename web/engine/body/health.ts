@@ -67,7 +67,7 @@ export function describeFailedModes(name: string, modes: ModeSet | null): string
 
 /** Larger residuals |K phi - lambda M phi| / (lambda |M phi|) are reported. */
 const GOOD_RESIDUAL = 1e-7;
-/** With a larger residual a frequency may be off by 1 % or more. */
+/** A residual estimates the relative error of an eigenvalue: above this, a frequency may be off by more than 0.5 %. */
 const BAD_RESIDUAL = 0.01;
 
 /** A clause on the coarse copy that modes were solved on, or on large residuals; empty if there is nothing to say. */

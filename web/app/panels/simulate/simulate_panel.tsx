@@ -7,7 +7,7 @@ import type { Settings } from '../../../engine/settings/options';
 import { scenarioEnds } from '../../state/ends';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
-import { troubleOfPins } from '../../state/simulation';
+import { problemOfPins } from '../../state/simulation';
 import type { PinProblem } from '../../../engine/motion/pin_problems';
 import { pinSource, twin } from '../../state/twin';
 import type { PinSource } from '../../state/twin';
@@ -47,8 +47,8 @@ export function SimulatePanel() {
       <Section title="Where will it move?">
         <SolverSelect />
       </Section>
-      <Section title="Scenario" hint={troubleOfPins.value ? undefined : describeScenario(scenario)}>
-        {troubleOfPins.value && <PinTroubleText trouble={troubleOfPins.value} />}
+      <Section title="Scenario" hint={problemOfPins.value ? undefined : describeScenario(scenario)}>
+        {problemOfPins.value && <PinProblemText problem={problemOfPins.value} />}
         <Select
           label="Scenario"
           title={OPTIONS.scenario.help}
@@ -80,12 +80,12 @@ export function SimulatePanel() {
 }
 
 /** What is to be done where the scenario cannot move the held vertices, or would tear them apart. */
-function PinTroubleText({ trouble }: { trouble: PinProblem }) {
+function PinProblemText({ problem }: { problem: PinProblem }) {
   const end = say(scenarioEnds.value!.high);
   return (
     <>
       <p class="hint warning">
-        {trouble === 'still'
+        {problem === 'still'
           ? say(
               '{end} is not held, and this scenario moves nothing else, so both meshes stand still. Hold it by scenario, or choose Sway.',
               { end },

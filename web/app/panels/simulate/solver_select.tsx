@@ -6,7 +6,7 @@ import type { SolverName } from '../../../engine/solvers/profiles';
 import { OPTIONS as SETTINGS } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, status, wants } from '../../state/store';
-import { ownModel, twin, usedTuning } from '../../state/twin';
+import { defaultModel, twin, usedTuning } from '../../state/twin';
 import { describeTrial } from './trial_text';
 import { UnknownSolver } from './unknown_solver';
 import { Choice, Select } from '../../controls/controls';
@@ -59,7 +59,7 @@ const optionsFor = (words: [Material, Words][]) => [
 export function SolverSelect() {
   const { solver, material } = wants.settings.value;
   const isUnknown = solver === 'none' && twin.isSolverUnknown.value;
-  const words = ownWords(ownModel.value);
+  const words = ownWords(defaultModel.value);
   const [shown, { title }] = words.find(([own]) => own === material) ?? words[0];
   const own = isUnknown ? 'unknown' : ownValue(shown);
   return (
@@ -81,7 +81,7 @@ function choose(value: string): void {
   const isUnknown = value === 'unknown';
   const material = isUnknown
     ? (SETTINGS.material.default as Material)
-    : ownWords(ownModel.value).find(([own]) => ownValue(own) === value)?.[0];
+    : ownWords(defaultModel.value).find(([own]) => ownValue(own) === value)?.[0];
   const others = { engine: '', tune: 'global', massRule: 'auto' } as const;
   twin.isSolverUnknown.value = isUnknown;
   if (twin.wantsGeneric.value) stopGeneric();
