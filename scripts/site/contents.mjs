@@ -6,6 +6,7 @@ export const SECTIONS = [
     pages: [
       ['README.md', 'Guide'],
       ['docs/engines.md', 'In your engine'],
+      ['docs/engines/README.md', 'Engine loaders'],
       ['docs/formats.md', 'Formats'],
       ['docs/report.md', 'Reports'],
       ['docs/library.md', 'Library'],
@@ -32,6 +33,7 @@ export const SECTIONS = [
     pages: [
       ['docs/paper.md', 'The paper'],
       ['docs/modes.md', 'Modes'],
+      ['docs/engine-models.md', 'Engine models'],
       ['docs/simplification.md', 'Simplification'],
       ['docs/simulation.md', 'Simulation'],
       ['docs/experiments.md', 'Experiments'],

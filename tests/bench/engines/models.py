@@ -1,6 +1,6 @@
 """K, M and modes of a soft body as engines discretise it, at rest: an independent check of wasm/elastic/solvers.
 
-Formulas: see docs/engines.md. Everything is in SI units; a mesh is in metres.
+Formulas: see docs/engine-models.md. Everything is in SI units; a mesh is in metres.
 """
 
 import numpy as np

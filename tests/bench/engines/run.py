@@ -2,7 +2,7 @@
 
 Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spot,bowl] [--methods limber,...]
        [--starts 1] [--seconds 100] [--frequencies] [--tables] [--write]
-Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/engines.md says how to install them), `npm run
+Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/motions.md says how to install them), `npm run
 build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
 that a run that was stopped, also by --seconds, goes on where it was. --frequencies tunes alone, --tables only prints
 what is there, --write puts it into docs/motions.md, where tables stay of which nothing is there, and sums it up in

@@ -1,5 +1,5 @@
 // Tunes coarse meshes to their originals with every solver model and prints the errors of frequencies as
-// Markdown, for docs/engines.md:
+// Markdown:
 //
 //   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--trial] [--pins 6]
 //     MESH.obj...

@@ -129,7 +129,7 @@ export const blender: SolverProfile = {
       scaling: meshIndependent,
     },
   ],
-  // Half of what blew up on sheets (docs/engines.md).
+  // Half of what blew up on sheets (docs/engine-models.md).
   stepLimit: {
     name: 'bending_damping',
     most: ({ mass, quality }) => (mass * quality) / 2,

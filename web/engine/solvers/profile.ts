@@ -85,7 +85,7 @@ export interface SolverProfile {
   /** how the engine distributes the mass of a body by itself */
   mass: MassRule;
   takes: Takes;
-  /** verified: frequencies of the solver model agree with the engine's own (docs/engines.md); derived: from the engine's sources alone */
+  /** verified: frequencies of the solver model agree with the engine's own (docs/engine-models.md); derived: from the engine's sources alone */
   status: 'generic' | 'verified' | 'derived';
   /** whether the stiffest constraint determines the number of substeps: explicit steps, XPBD and VBD */
   isLocal: boolean;
