@@ -15,6 +15,8 @@ export default defineConfig({
     emptyOutDir: true,
     target: 'node20',
     rolldownOptions: {
+      // How long each plugin takes is no news to who builds Limber.
+      checks: { bundlerTimings: false },
       // glTF-Transform makes one for a function that is not used: it loads the tables of languages.
       treeshake: { manualPureFunctions: ['Intl.NumberFormat'] },
       output: { entryFileNames: 'limber.mjs', chunkFileNames: '[name].mjs' },

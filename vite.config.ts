@@ -23,6 +23,8 @@ export default defineConfig({
     // The core's worker, with glTF-Transform and its codecs, is larger than what Vite warns of; it is loaded after the page.
     chunkSizeWarningLimit: 1000,
     rolldownOptions: {
+      // How long each plugin takes is no news to who builds Limber.
+      checks: { bundlerTimings: false },
       onLog(level, log, handle) {
         // Packages for Node and browsers name modules of Node that they do not use here.
         if (!log.message?.includes('externalized for browser compatibility')) handle(level, log);

@@ -8,6 +8,10 @@ export default defineConfig({
     outDir: 'build/samples',
     emptyOutDir: true,
     target: 'node20',
-    rolldownOptions: { output: { entryFileNames: 'make-samples.mjs' } },
+    rolldownOptions: {
+      // How long each plugin takes is no news to who builds Limber.
+      checks: { bundlerTimings: false },
+      output: { entryFileNames: 'make-samples.mjs' },
+    },
   },
 });

@@ -28,6 +28,8 @@ export default defineConfig({
     // three.js alone is larger than what Vite warns of.
     chunkSizeWarningLimit: 1000,
     rolldownOptions: {
+      // How long each plugin takes is no news to who builds Limber.
+      checks: { bundlerTimings: false },
       input: {
         site: resolve(import.meta.dirname, 'web/site/site.ts'),
         gallery: resolve(import.meta.dirname, 'web/site/gallery.ts'),
