@@ -104,6 +104,19 @@ describe('before any work limber batch', () => {
     expect(batch(['src', 'out', '--config', 'b.json', '--dry-run'])).toMatchObject({ code: 0, stderr: '' });
   });
 
+  it('takes a report into the folder that it makes, and not over what it writes there itself', () => {
+    for (const name of ['out/a.glb', 'out/a_lod1.glb', './out/summary.html'])
+      refuses(
+        ['src', 'out', '--lods', '0.2', '--report', name],
+        `${name}, the file of --report, is also written by the batch itself: choose another name.`,
+      );
+    refuses(['src', 'out', '--report', 'out/x/r.json'], 'The folder out/x does not exist: create it first.');
+    expect(batch(['src', 'out/deep', '--report', 'out/r.json', '--method', 'qem'])).toMatchObject({
+      code: 0,
+    });
+    expect(existsSync(path('out/r.json'))).toBe(true);
+  });
+
   it('names each pattern of an override that matches no asset, once', () => {
     configure({
       overrides: [

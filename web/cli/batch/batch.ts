@@ -37,7 +37,7 @@ export async function runBatch(args: Arguments): Promise<number> {
   checkOut(args, out);
   const { requests, notes } = readRequests(args, out);
   checkSettingsFiles(requests);
-  checkReports(args, requests);
+  checkReports(args, requests, out);
   sayNotes(args, [...args.formerWords.map(inFlags), ...notes]);
   const own = join(out, OWN_FOLDER);
   if (args.dryRun) return runDryBatch(args, out, requests, new Journal(own));

@@ -1,13 +1,15 @@
 /** Checks of a batch before any work. */
 
 import { existsSync, realpathSync } from 'node:fs';
-import { dirname, join, resolve } from 'node:path';
+import { dirname, join, resolve, sep } from 'node:path';
 import { SOLVER_NAMES } from '../../engine/solvers/profiles';
 import type { Arguments } from '../arguments';
 import { UsageError } from '../failure';
 import { findAt } from '../output_files/identity';
-import { checkOutputs, isWritable } from '../output_files/outputs';
+import { checkOutputs, isWritable, outputsOf } from '../output_files/outputs';
 import { isOwnFile } from '../output_files/own_files';
+import { STANDARD } from '../standard';
+import { argumentsFor } from './orders';
 import type { AssetRequest } from './orders';
 import { OWN_FOLDER } from './results';
 import { hasSummary, SUMMARY_FILES } from './write_summary';
@@ -43,14 +45,36 @@ function checkWritable(out: string): void {
     );
 }
 
-/** The summary is written over no asset, and over no file of the user's own without --force. */
-export function checkReports({ reports, force, batch }: Arguments, requests: AssetRequest[]): void {
+/** The summary is written over no asset, no result, and over no file of the user's own without --force. */
+export function checkReports(args: Arguments, requests: AssetRequest[], out: string): void {
+  const { force, batch } = args;
+  const paths = args.reports.filter((path) => path !== STANDARD);
+  if (paths.length === 0) return;
+  const results = new Set(resultsOf(args, requests, out).map((path) => resolve(path)));
+  const taken = paths.find((path) => results.has(resolve(path)));
+  if (taken !== undefined)
+    throw new UsageError(
+      `${taken}, the file of --report, is also written by the batch itself: choose another name.`,
+    );
   const capacity = { model: 0, positions: 0 };
-  const outputs = reports.map((path) => ({ path, flag: '--report', isGlb: false, capacity }));
+  const outputs = paths
+    .filter((path) => !isMadeWith(out, dirname(path)))
+    .map((path) => ({ path, flag: '--report', isGlb: false, capacity }));
   const sources = requests.map(({ asset }) => asset.path);
-  if (reports.length > 0)
-    checkOutputs(outputs, batch.config === null ? sources : [...sources, batch.config], force);
+  checkOutputs(outputs, batch.config === null ? sources : [...sources, batch.config], force);
 }
+
+/** Paths of all that the batch writes besides its reports; files that belong to a result are not known before the work. */
+const resultsOf = (args: Arguments, requests: AssetRequest[], out: string): string[] => [
+  ...SUMMARY_FILES.slice(1).map((name) => join(out, name)),
+  ...requests
+    .flatMap((request) => outputsOf(argumentsFor(args, request, { out, threads: 0 })))
+    .map(({ path }) => path),
+];
+
+/** Whether a folder does not exist yet and is made with the folder of the results: it is that folder or one above it. */
+const isMadeWith = (out: string, folder: string): boolean =>
+  !existsSync(folder) && `${resolve(out)}${sep}`.startsWith(`${resolve(folder)}${sep}`);
 
 /** Throws UsageError where settings files are asked for and no asset that is to have one has a solver. */
 export function checkSettingsFiles(requests: AssetRequest[]): void {
