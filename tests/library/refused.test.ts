@@ -75,6 +75,18 @@ it.each<[CommandName, object, string, string | null]>([
   ['optimize', { validate: null }, 'validate is null: give true or false.', null],
   ['modes', { writesShapes: 'a.glb' }, 'writesShapes is "a.glb": give true or false.', null],
   ['simulate', { binding: {} }, 'binding is an object: give the text of a binding file, or null.', null],
+  [
+    'simulate',
+    { binding: '{}' },
+    'binding is not a limber-binding/1: give the binding that optimize returns with bind: true.',
+    null,
+  ],
+  [
+    'simulate',
+    { settingsFile: '{' },
+    'settingsFile is not JSON: give the settingsFile that tune, or optimize with a solver, returns.',
+    null,
+  ],
   ['optimize', { engine: 'young=1' }, 'engine needs a solver: name one of shell, ', 'engine'],
   ['simulate', { massRule: 'vertex' }, 'massRule needs a solver: name one of shell, ', 'massRule'],
   [

@@ -32,10 +32,17 @@ export function writeBinding(bodies: BodyBinding[]): string {
   return `${JSON.stringify({ schema: BINDING_SCHEMA, version: VERSION, bodies: entries }, null, 1)}\n`;
 }
 
-/** Throws an Error with one sentence where `text`, the content of the file `name`, is not a valid binding. */
-export function readBinding(name: string, text: string): BodyBinding[] {
+/**
+ * Throws an Error with one sentence where `text`, the content of the file `name`, is not a valid binding. `cure`: how the caller can get a
+ * valid one.
+ */
+export function readBinding(
+  name: string,
+  text: string,
+  cure = 'write it again with limber optimize --bind',
+): BodyBinding[] {
   const fail = (problem: string): never => {
-    throw new Error(`${name} ${problem}: write it again with limber optimize --bind.`);
+    throw new Error(`${name} ${problem}: ${cure}.`);
   };
   const { schema, bodies } = parse(text) ?? fail('is not JSON');
   if (schema !== BINDING_SCHEMA || !Array.isArray(bodies)) return fail(`is not a ${BINDING_SCHEMA}`);

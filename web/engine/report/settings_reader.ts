@@ -86,10 +86,17 @@ const hasFactors = (
 ): boolean =>
   typeof constant === 'number' && constant >= 0 && (factors === undefined || isPositive(factors, count));
 
-/** Throws an Error with one sentence where `text`, the content of the file `name`, is no valid settings file. */
-export function readSettingsFile(name: string, text: string): SettingsFile {
+/**
+ * Throws an Error with one sentence where `text`, the content of the file `name`, is no valid settings file. `cure`: how the caller can get
+ * a valid one.
+ */
+export function readSettingsFile(
+  name: string,
+  text: string,
+  cure = 'write it again with limber optimize --settings',
+): SettingsFile {
   const fail = (problem: string): never => {
-    throw new Error(`${name} ${problem}: write it again with limber optimize --settings.`);
+    throw new Error(`${name} ${problem}: ${cure}.`);
   };
   const file = parse(text) ?? fail('is not JSON');
   if (file.schema !== SETTINGS_SCHEMA || !Array.isArray(file.bodies) || file.bodies.length === 0)

@@ -102,17 +102,23 @@ function checkCarried(
     throw new Error('calibrate is for material "shell" and no solver: leave the others out.');
 }
 
+const CURES = {
+  binding: 'give the binding that optimize returns with bind: true',
+  settingsFile: 'give the settingsFile that tune, or optimize with a solver, returns',
+};
+
 function readCarried(
   { core, settings }: WorkSession,
   { originals, others }: Sides,
   { binding = null, settingsFile = null }: SimulateOptions,
 ): Carried {
-  const tuning = settingsFile === null ? null : readSettingsFile('settingsFile', settingsFile);
+  const tuning =
+    settingsFile === null ? null : readSettingsFile('settingsFile', settingsFile, CURES.settingsFile);
   if (tuning && settings.solver !== 'none' && settings.solver !== tuning.solver)
     throw new Error(`settingsFile is for solver ${tuning.solver}, not ${settings.solver}: give that.`);
   const factors = others && settings.calibrate;
   return {
-    bindings: binding === null ? null : readBinding('binding', binding),
+    bindings: binding === null ? null : readBinding('binding', binding, CURES.binding),
     tuning,
     factors: factors
       ? originals.map((original, i) => calibrationOf(core, original, others[i].mesh, settings))
