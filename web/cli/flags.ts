@@ -119,6 +119,19 @@ const TARGETS: Flag[] = [
   },
 ];
 
+/** What the patterns mean to a command that writes no model, in which other bodies could stay. */
+const CHOSEN: CommandSpec['words'] = {
+  mesh: {
+    help: 'Look only at bodies with this name. In names, * matches any characters, ? matches one, and | separates alternatives; the flag can be repeated.',
+    group: 'common',
+  },
+  materialName: { help: 'Look only at bodies all of whose materials have this name.', group: 'common' },
+  exclude: {
+    help: 'Leave out the bodies that have this name or a material with this name.',
+    group: 'common',
+  },
+};
+
 export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   optimize: {
     operands: ['IN', 'OUT'],
@@ -160,6 +173,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
     summary: 'Find the solver parameters with which B moves like A.',
     flags: [SETTINGS, ...COMMON],
     defaults: {},
+    words: CHOSEN,
   },
   modes: {
     operands: ['IN'],
@@ -174,13 +188,14 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       ...COMMON,
     ],
     defaults: COMMAND_DEFAULTS.modes,
+    words: CHOSEN,
   },
   compare: {
     operands: ['A', 'B'],
     summary: 'Compare shape and vibration of B with those of the original A.',
     flags: COMMON,
     defaults: COMMAND_DEFAULTS.compare,
-    words: { modeCount: { help: 'Number of elastic modes to compare.', group: 'material' } },
+    words: { ...CHOSEN, modeCount: { help: 'Number of elastic modes to compare.', group: 'material' } },
   },
   simulate: {
     operands: ['A', '[B]'],
@@ -207,12 +222,14 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       ...COMMON,
     ],
     defaults: {},
+    words: CHOSEN,
   },
   inspect: {
     operands: ['IN'],
     summary: 'Describe the contents and the defects of a mesh.',
     flags: COMMON,
     defaults: {},
+    words: CHOSEN,
   },
 };
 
