@@ -498,8 +498,18 @@ describe('a wrong command line', () => {
       'There is no command "": use optimize, batch, tune, modes, compare, simulate, inspect (limber --help).',
     ],
     ['optimise', 'There is no command "optimise": did you mean "optimize"?'],
-    ['optimize', 'IN is missing: limber optimize IN OUT.'],
-    ['optimize torus.obj', 'OUT is missing: limber optimize IN OUT.'],
+    [
+      'optimize',
+      'IN is missing: give the model to read, as in limber optimize IN OUT (options: limber help optimize).',
+    ],
+    [
+      'optimize torus.obj',
+      'OUT is missing: give the file to write, as in limber optimize torus.obj OUT (options: limber help optimize).',
+    ],
+    [
+      'batch src',
+      'OUT is missing: give the folder for the results, as in limber batch src OUT (options: limber help batch).',
+    ],
     ['optimize torus.obj a.glb b.glb', '"b.glb" is one file too many: limber optimize IN OUT.'],
     [
       'optimize torus.obj a.stl',
@@ -554,7 +564,10 @@ describe('a wrong command line', () => {
       '--lock has "low": give low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +.',
     ],
     ['inspect torus.obj --faces 10', 'limber inspect has no --faces: see limber inspect --help.'],
-    ['simulate', 'A is missing: limber simulate A [B].'],
+    [
+      'simulate',
+      'A is missing: give the original, as in limber simulate A [B] (options: limber help simulate).',
+    ],
     ['simulate a.obj b.obj c.obj', '"c.obj" is one file too many: limber simulate A [B].'],
     [
       'simulate torus.obj --scenario fall',

@@ -26,6 +26,12 @@ it.each([
   );
 });
 
+it('refuses an empty term', () => {
+  expect(() => collisionSceneOf('ground:1+')).toThrow(
+    '“Can touch” has a + that does not join two terms: remove it, or give ground:HEIGHT, ',
+  );
+});
+
 it('uses the last of several floors', () => {
   expect(collisionSceneOf('ground:1+ball:0,0,0,1+ground:2')).toMatchObject({ ground: 2 });
 });

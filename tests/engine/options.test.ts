@@ -76,10 +76,7 @@ describe('settings', () => {
       { modes: [0] },
       '--mode is 0: give auto, all, or numbers from 1 to 100 separated by commas (default: auto).',
     ],
-    [
-      { modes: [2, 2] },
-      '--mode is 2,2: give auto, all, or numbers from 1 to 100 separated by commas (default: auto).',
-    ],
+    [{ modes: [2, 1, 2] }, '--mode names mode 2 twice: give it once.'],
     [
       { modes: [] },
       '--mode is an empty list: give auto, all, or numbers from 1 to 100 separated by commas (default: auto).',

@@ -93,7 +93,7 @@ describe('pins', () => {
     );
   });
 
-  it.each(['low', 'low:', 'low:x', 'low:101', 'box:1,2,3', 'vertices:1.5', 'vertices:', 'top:5', 'low:5+'])(
+  it.each(['low', 'low:', 'low:x', 'low:101', 'box:1,2,3', 'vertices:1.5', 'vertices:', 'top:5'])(
     '"%s" is refused with the forms',
     (text) => {
       expect(() => checkSettings({ ...defaultSettings(), pins: text })).toThrow(
@@ -101,6 +101,12 @@ describe('pins', () => {
       );
     },
   );
+
+  it.each(['low:5+', '+low:5', 'low:5++high:5', '+'])('"%s" is refused for its empty term', (text) => {
+    expect(() => checkSettings({ ...defaultSettings(), pins: text })).toThrow(
+      '“Held in place” has a + that does not join two terms: remove it, or give low:PCT, ',
+    );
+  });
 
   it('refuse a vertex that the body does not have', async () => {
     await expect(pinsOf('vertices:400')).rejects.toThrow(

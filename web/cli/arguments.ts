@@ -185,7 +185,7 @@ function checkOperands(command: Command, operands: string[]): void {
   const wanted = COMMAND_SPECS[command].operands;
   const usage = `limber ${command} ${wanted.join(' ')}`;
   if (operands.length < wanted.filter((name) => !name.startsWith('[')).length)
-    throw new UsageError(`${wanted[operands.length]} is missing: ${usage}.`);
+    throw new UsageError(describeMissing(command, operands));
   const empty = operands.indexOf('');
   if (empty >= 0)
     throw new UsageError(
@@ -194,6 +194,24 @@ function checkOperands(command: Command, operands: string[]): void {
   const isOpen = wanted.some((name) => name.endsWith('...'));
   if (operands.length > wanted.length && !isOpen)
     throw new UsageError(`"${operands[wanted.length]}" is one file too many: ${usage}.`);
+}
+
+/** What the operands stand for; OUT of a batch is a folder. */
+const MEANINGS: Record<string, string> = {
+  IN: 'the model to read',
+  OUT: 'the file to write',
+  A: 'the original',
+  B: 'the model to compare with it',
+  'SRC...': 'the models or folders of them',
+};
+
+/** The first operand that is missing, and the command with what is there. */
+function describeMissing(command: Command, given: string[]): string {
+  const wanted = COMMAND_SPECS[command].operands;
+  const name = wanted[given.length];
+  const meaning = command === 'batch' && name === 'OUT' ? 'the folder for the results' : MEANINGS[name];
+  const usage = ['limber', command, ...given, ...wanted.slice(given.length)].join(' ');
+  return `${name} is missing: give ${meaning}, as in ${usage} (options: limber help ${command}).`;
 }
 
 /** Throws SettingError. */

@@ -49,6 +49,7 @@ const CHOICES: Record<string, string[]> = {
 const TEXTS = [
   run('--mode', '0'),
   run('--mode', '1,,2'),
+  run('--mode', '1,1'),
   run('--mode', '3-1'),
   run('--mode', 'first'),
   run('--mode-weights', '1,-1'),

@@ -19,6 +19,8 @@ export const parseColliders = (text: string): ColliderTerm[] =>
   text === '' ? [] : text.split('+').map(parseTerm);
 
 function parseTerm(text: string): ColliderTerm {
+  if (text === '')
+    throw new SettingError('colliders', `has a + that does not join two terms: remove it, or give ${FORMS}.`);
   const colon = text.indexOf(':');
   const words = text.slice(colon + 1).split(',');
   const numbers = words.map((word) => (word.trim() === '' ? NaN : Number(word)));

@@ -2,6 +2,7 @@
 
 import { parseColliders } from './collider_text';
 import { parseEngine } from './engine_text';
+import { SettingError } from './errors';
 import { parsePaint } from './paint_text';
 import { parsePins } from './pin_text';
 import type { SettingName } from './table';
@@ -38,8 +39,13 @@ const isWithin = (value: unknown, { min, max }: { min: number; max: number }): b
   typeof value === 'number' && value >= min && value <= max;
 const isWholeWithin = (value: unknown, range: { min: number; max: number }): boolean =>
   isWithin(value, range) && Number.isInteger(value);
-const areDistinct = (entries: unknown[]): boolean =>
-  entries.length > 0 && new Set(entries).size === entries.length;
+
+/** Throws SettingError where a list of modes, as text, names one twice. */
+function checkDistinct(text: string, setting: SettingName): void {
+  const modes = text.split(',');
+  const twice = modes.find((mode, i) => modes.indexOf(mode) < i);
+  if (twice !== undefined) throw new SettingError(setting, `names mode ${twice} twice: give it once.`);
+}
 
 const INFINITY: Record<Notation, string> = { text: 'inf', json: '"inf"', script: 'Infinity' };
 
@@ -79,8 +85,9 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
     read: (text) => (['auto', 'all'].includes(text) ? text : readList(text)),
     isAllowed: (value, option) =>
       Array.isArray(value)
-        ? areDistinct(value) && value.every((entry) => isWholeWithin(entry, option))
+        ? value.length > 0 && value.every((entry) => isWholeWithin(entry, option))
         : value === 'auto' || value === 'all',
+    parse: checkDistinct,
     describe: ({ min, max }, notation) =>
       notation === 'text'
         ? `auto, all, or numbers from ${min} to ${max} separated by commas`

@@ -31,6 +31,8 @@ export function parsePins(text: string, setting: SettingName = 'pins'): PinTerms
 }
 
 function parseTerm(text: string, setting: SettingName): PinTerm {
+  if (text === '')
+    throw new SettingError(setting, `has a + that does not join two terms: remove it, or give ${FORMS}.`);
   const colon = text.indexOf(':');
   const [kind, value] = [text.slice(0, Math.max(0, colon)), text.slice(colon + 1)];
   const term = value === '' ? null : termOf(kind, value);
