@@ -103,6 +103,7 @@ export async function copyForExport(model: OpenModel): Promise<Destination> {
 export const additionsOf = (model: OpenModel, bodies: (ExportedBody | null)[]): Additions => ({
   ...NO_ADDITIONS,
   foreign: model.foreign ?? null,
+  textureTexts: model.textureTexts ?? null,
   replaced: new Set(bodies.flatMap((exported) => (exported ? [exported.body.mesh] : []))),
 });
 

@@ -4,6 +4,8 @@ import type { Document, GLTF, Texture } from '@gltf-transform/core';
 import { Format } from '@gltf-transform/core';
 import { carryForeign } from '../extensions/carry_foreign';
 import type { Foreign } from '../extensions/foreign';
+import { restoreTextureTexts } from '../extensions/texture_texts';
+import type { TextureTexts } from '../extensions/texture_texts';
 import { glbParts, withJson } from '../glb';
 import { createGltfWriter, INDICES_MODE, MESHOPT, RATIFIED_MESHOPT, TRIANGLES_MODE } from '../gltf_io';
 import type { SourceFile } from '../model';
@@ -19,6 +21,7 @@ import { rememberTargetNames } from './target_names';
 /** What is added to the JSON of the document. */
 export interface Additions {
   foreign: Foreign | null;
+  textureTexts: TextureTexts | null;
   /** numbers of the meshes whose primitives have new vertices */
   replaced: ReadonlySet<number>;
   /** meshopt under its ratified name */
@@ -30,6 +33,7 @@ export interface Additions {
 
 export const NO_ADDITIONS: Additions = {
   foreign: null,
+  textureTexts: null,
   replaced: new Set(),
   isRatified: false,
   keepsCorners: false,
@@ -98,11 +102,12 @@ export function gltfCompanions(document: Document, name: string): Companion[] {
   return [{ name: `${stem}.bin`, bytes: null }, ...imageFiles(document, stem)];
 }
 
-const hasAdditions = ({ foreign, isRatified, keepsCorners, levels }: Additions): boolean =>
-  foreign !== null || isRatified || keepsCorners || levels.length > 0;
+const hasAdditions = ({ foreign, textureTexts, isRatified, keepsCorners, levels }: Additions): boolean =>
+  foreign !== null || textureTexts !== null || isRatified || keepsCorners || levels.length > 0;
 
 function withAdditions(json: GLTF.IGLTF, additions: Additions): GLTF.IGLTF {
-  const { foreign, replaced, isRatified, keepsCorners, levels } = additions;
+  const { foreign, textureTexts, replaced, isRatified, keepsCorners, levels } = additions;
+  if (textureTexts) restoreTextureTexts(json, textureTexts);
   if (foreign) carryForeign(json, foreign, replaced);
   addLevels(json, levels);
   if (keepsCorners) namePackedInOrder(json);
