@@ -110,6 +110,15 @@ describe('a sheared node', () => {
     expect(others).toEqual([]);
     expect(Math.hypot(...node.getRotation())).toBeCloseTo(1, 12);
     expect(node.getTranslation()).toEqual([3, 4, 5]);
+    const pointed = await opened(SHEAR, (json) => {
+      const accessor = json.accessors!.push({ componentType: 5126, count: 1, type: 'VEC3' }) - 1;
+      const extensions = { KHR_animation_pointer: { pointer: '/nodes/0/translation' } };
+      const channels = [{ sampler: 0, target: { path: 'pointer' as 'scale', extensions } }];
+      json.animations = [{ samplers: [{ input: accessor, output: accessor }], channels }];
+      json.extensionsUsed = ['KHR_animation_pointer'];
+    });
+    expect(pointed.notes).toContain(`node "ring node" ${LOST}`);
+    expect(pointed.document.getRoot().listNodes()).toHaveLength(1);
     const levels = await opened(SHEAR, (json) => {
       json.nodes!.push({ matrix: SHEAR, mesh: 0 }, { matrix: SHEAR, mesh: 0 });
       json.nodes![0].extensions = { MSFT_lod: { ids: [1, 2] } };

@@ -65,12 +65,22 @@ function isSheared(matrix: unknown): boolean {
 /** A channel of an animation in unchecked JSON. */
 type Channel = Partial<GLTF.IAnimationChannel>;
 
+/** What KHR_animation_pointer can move of a node: "/nodes/3/translation". */
+const POINTER = /^\/nodes\/(\d+)\/(translation|rotation|scale|matrix)$/;
+
+/** The number of the node that a channel transforms; undefined: it transforms none. */
+function movedBy(channel: Channel | null): number | undefined {
+  const target = channel?.target;
+  if (!target || target.path === 'weights') return undefined;
+  const { pointer } = (target.extensions?.KHR_animation_pointer ?? {}) as { pointer?: unknown };
+  const found = POINTER.exec(String(pointer));
+  return found ? Number(found[1]) : target.node;
+}
+
 /** Indices of the nodes that an animation transforms, or that are levels of detail by an extension. */
 function movedElsewhere({ animations = [], nodes = [] }: GLTF.IGLTF): Set<number | undefined> {
   const channels = animations.flatMap((animation) => animation.channels as (Channel | null)[] | undefined);
-  const moved = channels.flatMap((channel) =>
-    channel?.target && channel.target.path !== 'weights' ? [channel.target.node] : [],
-  );
+  const moved = channels.map((channel) => movedBy(channel ?? null));
   const levels = nodes.flatMap(({ extensions }, i) => {
     const ids = (extensions?.MSFT_lod as { ids?: unknown } | undefined)?.ids;
     return Array.isArray(ids) ? [i, ...(ids as number[])] : [];
