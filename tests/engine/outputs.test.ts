@@ -14,7 +14,8 @@ import {
   symlinkSync,
   writeFileSync,
 } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { spawnSync } from 'node:child_process';
+import { hostname, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { parseArguments } from '../../web/cli/arguments';
@@ -217,6 +218,18 @@ describe('writing', () => {
     expect(() => writeWhole(at('out.glb'), null as unknown as string)).toThrow(/^\S+ cannot be written: /);
     expect(readFileSync(at('out.glb'), 'utf8')).toBe('old');
     expect(readdirSync(folder).filter((name) => name.endsWith('.part'))).toEqual([]);
+  });
+
+  it('removes what killed processes of this machine have left in the folder, and nothing of others', () => {
+    const { pid } = spawnSync(process.execPath, ['--version']);
+    const others = [
+      `.a.glb.${process.ppid}@${hostname()}.part`,
+      `.a.glb.${pid}@elsewhere.part`,
+      '.mine.part',
+    ];
+    for (const name of [...others, `.a.glb.${pid}@${hostname()}.part`]) writeFileSync(at(name), 'half');
+    writeWhole(at('out.glb'), 'new');
+    expect(readdirSync(folder).filter((name) => name.endsWith('.part'))).toEqual(others.sort());
   });
 
   it('accepts every name that the system accepts', () => {

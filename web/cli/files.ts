@@ -17,6 +17,7 @@ import { fileError } from './file_error';
 import { readBytes } from './input_files/read_file';
 import { objCompanions } from './input_files/obj_companions';
 import { followLinks, isSpecial, isWithin } from './output_files/identity';
+import { partialOf, removeStalePartials } from './output_files/partial_files';
 import { readStandard, STANDARD } from './standard';
 
 /** A model and what belongs to it. */
@@ -79,13 +80,6 @@ export function makeFolder(path: string): void {
   }
 }
 
-/** Letters of a name that its partial file keeps: a name can be as long as the system allows. */
-const KEPT_LETTERS = 40;
-
-/** Where a file is written before it takes its place. */
-const partialOf = (end: string): string =>
-  join(dirname(end), `.${basename(end).slice(0, KEPT_LETTERS)}.${process.pid}.part`);
-
 /**
  * Writes all or nothing: into a file in the same folder, which then takes the place of `path` and its permissions. A link
  * stays, and the file that it leads to is replaced; a device or pipe is written to.
@@ -98,6 +92,7 @@ export function writeWhole(path: string, content: Uint8Array | string): void {
       writeFileSync(end, content);
       return;
     }
+    removeStalePartials(dirname(end));
     const old = statSync(end, { throwIfNoEntry: false });
     writeFileSync(partial, content);
     if (old) chmodSync(partial, old.mode & 0o7777);

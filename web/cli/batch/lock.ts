@@ -1,20 +1,16 @@
 /** One batch at a time works on a folder. */
 
 import { linkSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
-import { hostname } from 'node:os';
 import { join } from 'node:path';
 import { UsageError } from '../failure';
 import { fileError } from '../file_error';
-
-interface Owner {
-  host: string;
-  process: number;
-}
+import { isAtWork, thisProcess } from '../owner';
+import type { Owner } from '../owner';
 
 /** Takes the lock of `folder`; a lock whose process has ended is taken over. Throws UsageError where another batch is at work. */
 export function takeLock(folder: string, out: string): () => void {
   const path = join(folder, 'lock.json');
-  const own: Owner = { host: hostname(), process: process.pid };
+  const own = thisProcess();
   for (let tries = 0; !created(path, own); ++tries) {
     const owner = ownerOf(path);
     if (tries > 2 || (owner && isAtWork(owner)))
@@ -78,17 +74,5 @@ function ownerOf(path: string): Owner | null {
     return JSON.parse(readFileSync(path, 'utf8')) as Owner;
   } catch {
     return null;
-  }
-}
-
-/** Processes of other machines cannot be asked. */
-function isAtWork({ host, process: id }: Owner): boolean {
-  if (host !== hostname()) return true;
-  if (id === process.pid) return false;
-  try {
-    process.kill(id, 0);
-    return true;
-  } catch (error) {
-    return (error as NodeJS.ErrnoException).code === 'EPERM';
   }
 }
