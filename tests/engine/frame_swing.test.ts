@@ -1,6 +1,6 @@
 // The pictures of the gallery of modes.
 
-import { PerspectiveCamera, Sphere, Vector3 } from 'three';
+import { PerspectiveCamera, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { frameSwing } from '../../web/app/viewer/picture/frame_swing';
 
@@ -21,7 +21,7 @@ function reach(camera: PerspectiveCamera, x: number, y: number, z: number): numb
 test('a body that stretches or swings towards the eye stays in the frame and nearly fills it', () => {
   for (const aspect of [0.5, 1.4]) {
     const camera = new PerspectiveCamera(30, aspect);
-    frameSwing(camera, new Sphere(new Vector3(), 1), new Vector3(0, 0, 2), swing);
+    frameSwing(camera, 1, new Vector3(0, 0, 2), swing);
     const ends = [reach(camera, 0, 1.5, 0), reach(camera, 0, 1, 0.5), reach(camera, 0, -1.5, 0)];
     expect(Math.max(...ends)).toBeCloseTo(0.94);
   }
@@ -31,7 +31,7 @@ test('a narrow frame shows a wide body from farther away', () => {
   const wide = { ...swing, positions: Float32Array.of(-1, 0, 0, 1, 0, 0) };
   const distances = [0.5, 1].map((aspect) => {
     const camera = new PerspectiveCamera(30, aspect);
-    frameSwing(camera, new Sphere(new Vector3(), 1), new Vector3(0, 0, 1), wide);
+    frameSwing(camera, 1, new Vector3(0, 0, 1), wide);
     return camera.position.z;
   });
   expect(distances[0]).toBeGreaterThan(1.5 * distances[1]);

@@ -29,7 +29,7 @@ import { BRUSH_RADIUS } from './panels/reduce/brush_section';
 
 const PLAIN: Record<string, () => void> = {
   ' ': playOrPause,
-  f: () => viewportHandle.current?.fit(),
+  f: () => viewportHandle.current?.fit('here'),
   w: () => (view.wire.value = !isWireShown()),
   ...Object.fromEntries(STEP_NAMES.map((step, i) => [`${i + 1}`, () => toStep(step)])),
   c: () => chooseField(FIELD_NAMES[(FIELD_NAMES.indexOf(shownField.value) + 1) % FIELD_NAMES.length]),

@@ -5,6 +5,7 @@ import type { TriangleMesh } from '../../engine/core/core';
 import { rotationOf } from '../../engine/motion/scene_rotation';
 import { floorShadow, SHADOW_SIZE } from './floor_shadow';
 import type { SceneLook, SceneModel } from './file/scene_model';
+import { outermost } from './camera/outermost';
 import { spreadPoints } from './spread_points';
 
 /** The floor's shadow extends beyond the body by this fraction of its size. */
@@ -51,12 +52,13 @@ export class Stand {
     this.model?.look(look);
   }
 
-  /** Puts the floor below the shown file, or below a mesh in the space of the shown body; returns its bounding box in the scene. */
-  layFloor(mesh: TriangleMesh | null): THREE.Box3 {
+  /** Puts the floor below the shown file, or below a mesh in the space of the shown body; returns the outermost points of either in the scene. */
+  layFloor(mesh: TriangleMesh | null): THREE.Vector3[] {
     const inScene = mesh ? this.toScene(mesh) : this.pointsOfFile();
-    const box = boxOf(inScene);
+    const points = outermost(inScene);
+    const box = new THREE.Box3().setFromPoints(points);
     this.floor.visible = !box.isEmpty();
-    if (box.isEmpty()) return box;
+    if (box.isEmpty()) return [];
     const size = box.getSize(new THREE.Vector3());
     const centre = box.getCenter(new THREE.Vector3());
     const side = AROUND * Math.max(size.x, size.z, 0.25 * size.y);
@@ -66,7 +68,7 @@ export class Stand {
     this.floor.material.needsUpdate = true;
     this.floor.position.set(centre.x, box.min.y - 0.001 * size.length(), centre.z);
     this.floor.scale.setScalar(side);
-    return box;
+    return points;
   }
 
   /** Shows the same floor as another stand. */
@@ -105,13 +107,6 @@ export class Stand {
     this.show(null);
     this.floor.material.map?.dispose();
   }
-}
-
-function boxOf(points: Float32Array): THREE.Box3 {
-  const box = new THREE.Box3();
-  const point = new THREE.Vector3();
-  for (let i = 0; i < points.length; i += 3) box.expandByPoint(point.fromArray(points, i));
-  return box;
 }
 
 function shadowTexture(shadow: Float32Array): THREE.DataTexture {

@@ -13,8 +13,9 @@ import { AxesMark } from './axes_mark';
 import { Dots } from './dots';
 import type { DotLook } from './dots';
 import { drawPane } from './draw_pane';
-import { FrameKeeper } from './frame_keeper';
-import { OrbitCamera } from './orbit_camera';
+import { FrameKeeper } from './camera/frame_keeper';
+import { OrbitCamera } from './camera/orbit_camera';
+import type { HowToFit } from './camera/orbit_camera';
 import { Pane } from './pane';
 import type { Look } from './pane';
 import { PaneLayout } from './pane_layout';
@@ -94,7 +95,7 @@ export class Viewport {
     void isShown?.then(() => {
       this.follow(name);
       if (name === 'original') this.pin(this.pinned);
-      if (name === 'original' && this.fitsLater) this.fit(false);
+      if (name === 'original' && this.fitsLater) this.fit('front');
     });
   }
 
@@ -108,7 +109,7 @@ export class Viewport {
   async showFile(name: PaneName, bytes: Uint8Array | null): Promise<void> {
     const isElsewhere = await this.files.show(name, bytes);
     this.isStale = true;
-    if (isElsewhere) this.fit(false);
+    if (isElsewhere) this.fit('front');
   }
 
   /** See file/warm_up.ts. */
@@ -238,13 +239,13 @@ export class Viewport {
     this.keepBodyInView();
   }
 
-  private keepBodyInView = (): void => this.keeper.keepWidth(this.files.corners(), () => this.resize());
+  private keepBodyInView = (): void => this.keeper.keepWidth(this.framedPoints(), () => this.resize());
 
   /** Keeps moving bodies in the picture, unless the user drags one; null: they rest again. `positions[3 v + c]` of each. */
   followMotion(bodies: readonly Float32Array[] | null): void {
     if (!bodies) this.keeper.endMotion();
     else if (!this.canvas.classList.contains('dragging'))
-      this.keeper.keepMotion(this.files.corners(), bodies);
+      this.keeper.keepMotion(this.files.outline(), bodies);
   }
 
   /** The pane at a point of the page. */
@@ -280,17 +281,18 @@ export class Viewport {
     this.isStale = true;
   }
 
-  /** Frames the camera on the whole body and the collision scene. */
-  fit(isAnimated = true): void {
+  /** Frames the camera on the whole body and the collision scene: at once from the front, or moving without a turn. */
+  fit(from: HowToFit['from']): void {
     this.fitsLater = this.panes.original.isLate;
-    if (this.fitsLater) return;
-    const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.rotation));
-    const points = [...this.files.corners(), ...turned];
-    if (points.length === 0) return;
-    this.orbit.fit(points, isAnimated);
+    const points = this.framedPoints();
+    if (this.fitsLater || points.length === 0) return;
+    this.orbit.fit(points, { from, isAnimated: from === 'here' });
     this.keeper.fitted();
     this.isStale = true;
   }
+
+  private framedPoints = (): THREE.Vector3[] =>
+    this.files.outline().concat(this.scenePoints.map((p) => p.clone().applyQuaternion(this.orbit.rotation)));
 
   /** Draws the current stage at any size, and passes on the canvas before anything else is drawn on it. */
   capture(shot: StageShot, use: (canvas: HTMLCanvasElement) => void): void {

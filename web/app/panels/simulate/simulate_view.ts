@@ -57,7 +57,7 @@ export function showCollisionScene(viewport: Viewport | null): void {
   const key = hasPoints ? JSON.stringify(shown) : '';
   if (key === fittedScene) return;
   fittedScene = key;
-  viewport?.fit();
+  viewport?.fit('here');
 }
 
 function sceneAround(

@@ -49,7 +49,7 @@ export function showOriginal(viewport: Viewport | null): void {
   const nodeMatrix = results.file.value?.bodies[wants.body.value]?.nodeMatrix;
   if (nodeMatrix) viewport?.standAt(nodeMatrix);
   viewport?.show('original', mesh);
-  if (mesh) viewport?.fit(false);
+  if (mesh) viewport?.fit('front');
 }
 
 /** The indices of the file's meshes that are drawn; null: all of them. */
@@ -111,7 +111,7 @@ let wasWhole = false;
 function lookAgain(viewport: Viewport, isWhole: boolean): void {
   if (isWhole === wasWhole) return;
   wasWhole = isWhole;
-  viewport.fit();
+  viewport.fit('here');
 }
 
 export function showOptimized(viewport: Viewport | null): void {

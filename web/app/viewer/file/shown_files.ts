@@ -10,8 +10,8 @@ import type { SceneLook } from './scene_model';
 export class ShownFiles {
   private hasFloor = false;
   private isStale = true;
-  /** corners of the bounding box of the scene, in the space of the shown body */
-  private box: THREE.Vector3[] = [];
+  /** of the scene, in the space of the shown body */
+  private outermost: THREE.Vector3[] = [];
   private animation = { isPlaying: false, seconds: 0 };
   /** per pane: the latest requested file */
   private readonly asked: Record<PaneName, Uint8Array | null> = { original: null, optimized: null };
@@ -39,11 +39,11 @@ export class ShownFiles {
       model?.dispose();
       return false;
     }
-    const before = this.corners();
+    const before = boxOf(this.outline());
     pane.stand.show(model);
     this.look(name, this.looks[name]);
     this.moved();
-    return name === 'original' && model !== null && !isSameBox(before, this.corners());
+    return name === 'original' && model !== null && !isSameBox(before, boxOf(this.outline()));
   }
 
   /**
@@ -65,7 +65,7 @@ export class ShownFiles {
     stand.group.remove(model.root);
     this.hasFloor = hasFloor;
     for (const pane of Object.values(this.panes)) pane.stand.liftFloor();
-    this.box = [];
+    this.outermost = [];
   }
 
   /** Waits until the graphics card is ready to draw a model, if it can report that; otherwise the first drawing blocks the page. */
@@ -112,10 +112,10 @@ export class ShownFiles {
     this.isStale = true;
   }
 
-  /** The corners of the bounding box of the original's pane at rest, in the space of the shown body. */
-  corners(): readonly THREE.Vector3[] {
+  /** The outermost points of the original's pane at rest, in the space of the shown body. */
+  outline(): readonly THREE.Vector3[] {
     this.layFloors();
-    return this.box;
+    return this.outermost;
   }
 
   /** Updates the floors if anything has changed since the last time. */
@@ -123,23 +123,19 @@ export class ShownFiles {
     if (!this.isStale) return;
     this.isStale = false;
     const { original, optimized } = this.panes;
-    const box = original.stand.layFloor(original.showsFile ? null : original.mesh);
-    this.box = box.isEmpty() ? [] : cornersOf(box);
-    for (const corner of this.box) corner.applyMatrix4(original.stand.group.matrix);
+    this.outermost = original.stand.layFloor(original.showsFile ? null : original.mesh);
+    for (const point of this.outermost) point.applyMatrix4(original.stand.group.matrix);
     // The result is so close to the original that its shadow would be the same.
     optimized.stand.shareFloor(original.stand);
     for (const { stand } of [original, optimized]) stand.isFloorShown = this.hasFloor;
   }
 }
 
-/** Whether two boxes are equal up to the rounding of positions. */
-function isSameBox(a: readonly THREE.Vector3[], b: readonly THREE.Vector3[]): boolean {
-  if (a.length === 0 || b.length === 0) return a.length === b.length;
-  const size = a[0].distanceTo(a[7]);
-  return a.every((corner, i) => corner.distanceTo(b[i]) <= 1e-3 * size);
-}
+const boxOf = (points: readonly THREE.Vector3[]): THREE.Box3 => new THREE.Box3().setFromPoints([...points]);
 
-function cornersOf({ min, max }: THREE.Box3): THREE.Vector3[] {
-  const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [min[axis], max[axis]]);
-  return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
+/** Whether two boxes are equal up to the rounding of positions. */
+function isSameBox(a: THREE.Box3, b: THREE.Box3): boolean {
+  if (a.isEmpty() || b.isEmpty()) return a.isEmpty() === b.isEmpty();
+  const most = 1e-3 * a.min.distanceTo(a.max);
+  return a.min.distanceTo(b.min) <= most && a.max.distanceTo(b.max) <= most;
 }

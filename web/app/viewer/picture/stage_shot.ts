@@ -1,7 +1,7 @@
 /** Draws the stage at a different size, and restores its own size. */
 
 import type { WebGLRenderer } from 'three';
-import type { OrbitCamera } from '../orbit_camera';
+import type { OrbitCamera } from '../camera/orbit_camera';
 import type { Pane } from '../pane';
 import type { PaneLayout, PaneName } from '../pane_layout';
 

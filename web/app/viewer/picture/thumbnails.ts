@@ -84,15 +84,15 @@ export class Thumbnails {
     this.body.material.uniforms.isFlat.value = isLarge(mesh);
     this.faces = faceCount(mesh);
     this.body.material.uniforms.hasField.value = true;
-    const sphere = geometry.boundingSphere!;
-    this.amplitude = AMPLITUDE * sphere.radius;
+    const { radius } = geometry.boundingSphere!;
+    this.amplitude = AMPLITUDE * radius;
     this.camera.up.set(0, 1, 0).applyQuaternion(rotation);
     const swing = {
       positions: mesh.positions,
       shapes: modes.map((mode) => mode.shape),
       amplitude: this.amplitude,
     };
-    frameSwing(this.camera, sphere, new THREE.Vector3(0.75, 0.42, 1).applyQuaternion(rotation), swing);
+    frameSwing(this.camera, radius, new THREE.Vector3(0.75, 0.42, 1).applyQuaternion(rotation), swing);
     if (this.faces > MAX_MOVING_FACES) return void this.drawOnce(mesh, modes, canvases);
     this.pictures = modes.map((mode, i) => ({ canvas: canvases[i], ...this.dress(mesh, mode) }));
     this.draw(0);

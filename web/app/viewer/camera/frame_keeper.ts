@@ -13,28 +13,36 @@ const SAMPLES = 400;
 export class FrameKeeper {
   /** the extent of moving bodies; null: that of the body at rest, not yet computed */
   private motionLimit: number | null = null;
+  /** how often the user had framed the view when it was last fitted, and when the motion began */
+  private framingsAtFit = 0;
+  private framingsAtMotion = 0;
 
   constructor(private readonly orbit: OrbitCamera) {}
 
   /**
-   * Calls `change`, which may make the picture narrower, and moves the camera back so far that its previous horizontal
-   * range stays in the picture, and forward again when it becomes wider. `corners`: of the bounding box at rest.
+   * Calls `change`, which may make the picture narrower or wider, and frames the content again, unless the user has
+   * framed the view or the content moves: then the camera moves back so far that its previous horizontal range stays in
+   * the picture, and forward again when it becomes wider. `outline`: the outermost points at rest.
    */
-  keepWidth(corners: readonly Vector3[], change: () => void): void {
+  keepWidth(outline: readonly Vector3[], change: () => void): void {
     const { orbit } = this;
-    const before = orbit.spreadOf(corners).across;
+    const before = orbit.spreadOf(outline).across;
     const { aspect } = orbit.camera;
     change();
     const ratio = aspect / orbit.camera.aspect;
-    if (ratio === 1) return;
-    orbit.stepBack('width', Math.max(1, (orbit.factors.width * before * ratio) / Math.max(FILL, before)));
+    if (ratio === 1 || outline.length === 0) return;
+    if (orbit.framings === this.framingsAtFit && orbit.factors.motion === 1)
+      return orbit.fit(outline, { from: 'here', isAnimated: false });
+    // If the picture shows a part of the body, that part is taken to be as far away as the orbit centre.
+    const way = before > 1 ? ratio : orbit.wayToFit(outline, FILL);
+    orbit.stepBack('width', Math.max(1, orbit.factors.width * way));
   }
 
   /** Moves the camera back if bodies at these positions, `[3 v + c]`, extend beyond the picture, unless the user has framed the view. */
-  keepMotion(corners: readonly Vector3[], bodies: readonly Float32Array[]): void {
+  keepMotion(outline: readonly Vector3[], bodies: readonly Float32Array[]): void {
     const { orbit } = this;
-    if (this.motionLimit === null) this.beginMotion(Math.max(1, spreadOf(orbit, corners)));
-    if (orbit.isFramedByUser || this.motionLimit === null) return;
+    if (this.motionLimit === null) this.beginMotion(Math.max(1, spreadOf(orbit, outline)));
+    if (this.isFramedInMotion() || this.motionLimit === null) return;
     const spread = Math.max(...bodies.map((positions) => spreadOf(orbit, sampled(positions))));
     if (!(spread > this.motionLimit)) return;
     const factor = (orbit.shareOfWay() * orbit.factors.motion * spread) / (FILL * this.motionLimit);
@@ -44,20 +52,25 @@ export class FrameKeeper {
 
   private beginMotion(limit: number): void {
     this.motionLimit = limit;
-    this.orbit.isFramedByUser = false;
+    this.framingsAtMotion = this.orbit.framings;
+  }
+
+  /** Whether the user has framed the view while the bodies move. */
+  private isFramedInMotion(): boolean {
+    return this.orbit.framings !== this.framingsAtMotion;
   }
 
   /** Nothing moves any more: the camera returns to its previous distance. */
   endMotion(): void {
     this.motionLimit = null;
-    if (this.orbit.isFramedByUser) this.orbit.forgetFactor('motion');
+    if (this.isFramedInMotion()) this.orbit.forgetFactor('motion');
     else this.orbit.stepBack('motion', 1);
   }
 
   /** The camera has been framed on the whole content. */
   fitted(): void {
     if (this.motionLimit !== null) this.motionLimit = 1;
-    this.orbit.isFramedByUser = false;
+    this.framingsAtFit = this.framingsAtMotion = this.orbit.framings;
   }
 }
 

@@ -2,11 +2,12 @@
 
 import CameraControls from 'camera-controls';
 import * as THREE from 'three';
+import { Framing } from './framing';
 
 CameraControls.install({ THREE });
 
-/** From the body towards the eye, before it is normalised. */
-const DIRECTION: [number, number, number] = [0.75, 0.42, 1];
+/** From the body towards the eye, in a view from the front, before it is normalised. */
+const FRONT: [number, number, number] = [0.75, 0.42, 1];
 /** The largest fraction of the picture's height and width that a body fills. */
 const FILL = 0.8;
 /** The largest distance in radii: farther away a body would shrink to a dot. */
@@ -18,13 +19,19 @@ const NEAREST = 1e-9;
 /** Reasons for a larger distance: the picture has become narrower, or a body moves out of it. */
 type Reason = 'width' | 'motion';
 
+export interface HowToFit {
+  /** the direction of the view: from the front, or unchanged */
+  from: 'front' | 'here';
+  isAnimated: boolean;
+}
+
 export class OrbitCamera {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
   private readonly controls: CameraControls;
   /** factors on the distance that the user has chosen */
   readonly factors: Record<Reason, number> = { width: 1, motion: 1 };
-  /** whether the user has zoomed or moved the picture since the last `fit` */
-  isFramedByUser = false;
+  /** how often the user has zoomed or moved the picture; rotating it is not counted */
+  framings = 0;
   /** from the space of the scene to that of what is shown */
   readonly rotation = new THREE.Quaternion();
 
@@ -32,7 +39,7 @@ export class OrbitCamera {
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
-    this.controls.addEventListener('control', () => (this.isFramedByUser ||= !this.isTurning()));
+    this.controls.addEventListener('control', () => (this.framings += this.isTurning() ? 0 : 1));
   }
 
   /** Returns whether the picture has changed. */
@@ -59,13 +66,13 @@ export class OrbitCamera {
   /** Moves the orbit centre, in fractions of its distance. */
   slide(right: number, down: number): void {
     const { distance } = this.controls;
-    this.isFramedByUser = true;
+    this.framings += 1;
     void this.controls.truck(right * distance, down * distance, true);
   }
 
   /** Moves closer by a factor; below 1 away. */
   zoom(factor: number): void {
-    this.isFramedByUser = true;
+    this.framings += 1;
     void this.controls.dollyTo(this.controls.distance / factor, true);
   }
 
@@ -82,32 +89,25 @@ export class OrbitCamera {
     this.controls.updateCameraUp();
   }
 
-  /** Frames all of these points from the front, so that they fill the picture. */
-  fit(points: THREE.Vector3[], isAnimated: boolean): void {
-    const { center, radius } = new THREE.Box3().setFromPoints(points).getBoundingSphere(new THREE.Sphere());
+  /** Frames all of these points, so that they fill the picture. */
+  fit(points: readonly THREE.Vector3[], { from, isAnimated }: HowToFit): void {
+    const { radius } = new THREE.Box3().setFromPoints([...points]).getBoundingSphere(new THREE.Sphere());
     Object.assign(this.factors, { width: 1, motion: 1 });
     this.camera.near = radius / 100;
     this.camera.far = radius * 100;
     this.controls.maxDistance = radius * FARTHEST;
     this.camera.updateProjectionMatrix();
-    const back = new THREE.Vector3(...DIRECTION).normalize().applyQuaternion(this.rotation);
-    const eye = back
-      .clone()
-      .multiplyScalar(this.distanceFor(points, center, back))
-      .add(center);
-    void this.controls.setLookAt(...eye.toArray(), ...center.toArray(), isAnimated);
+    const front = new THREE.Vector3(...FRONT).applyQuaternion(this.rotation);
+    const framing = new Framing(this.camera, from === 'front' ? front : this.endDirection(), FILL);
+    for (const point of points) framing.take(point);
+    const { eye, centre } = framing.view();
+    void this.controls.setLookAt(...eye.toArray(), ...centre.toArray(), isAnimated);
   }
 
-  /** The distance of the camera from `center`, towards `back`, at which all points lie in the picture. */
-  private distanceFor(points: THREE.Vector3[], center: THREE.Vector3, back: THREE.Vector3): number {
-    const right = this.camera.up.clone().cross(back).normalize();
-    const above = back.clone().cross(right);
-    const tangent = FILL * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
-    return points.reduce((most, point) => {
-      const from = point.clone().sub(center);
-      const aside = Math.abs(from.dot(right)) / (tangent * this.camera.aspect);
-      return Math.max(most, from.dot(back) + Math.max(aside, Math.abs(from.dot(above)) / tangent));
-    }, 0);
+  /** From the orbit centre towards the place to which the camera moves. */
+  private endDirection(): THREE.Vector3 {
+    const { controls } = this;
+    return controls.getPosition(new THREE.Vector3(), true).sub(controls.getTarget(new THREE.Vector3(), true));
   }
 
   /** Calls `draw` with the camera rotated about the vertical axis through the orbit centre, in radians. */
@@ -138,6 +138,17 @@ export class OrbitCamera {
   /** The current distance over the target distance of the camera. */
   shareOfWay(): number {
     return this.controls.distance / this.endDistance();
+  }
+
+  /** The factor on the current distance at which these points, all in front of the camera, extend to `fill` of the picture's width. */
+  wayToFit(points: readonly THREE.Vector3[], fill: number): number {
+    const tangent = fill * this.camera.aspect * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    const seen = new THREE.Vector3();
+    const missing = points.map((point) => {
+      seen.copy(point).applyMatrix4(this.camera.matrixWorldInverse);
+      return Math.abs(seen.x) / tangent + seen.z;
+    });
+    return 1 + Math.max(...missing) / this.controls.distance;
   }
 
   private endDistance(): number {
