@@ -101,7 +101,7 @@ describe('the core and TypeScript have the same', () => {
 
   it('limits', () => {
     expect(constant('kAttributeLimit')).toBe(ATTRIBUTE_LIMIT);
-    expect(constant('kMostSubsteps')).toBe(OPTIONS.substeps.max);
+    expect(constant('kMaxSubsteps')).toBe(OPTIONS.substeps.max);
   });
 
   it('defaults, because the core has none for values that the settings decide', () => {

@@ -108,10 +108,10 @@ class ComparedMotions {
     ComparedRuns::Result first = runs_.run(originalWith(substeps, 0, options_.records));
     for (;; substeps *= 2) {
       ComparedRuns::Result second = runs_.run(otherWith(substeps));
-      const bool mayGoOn = options_.doublesSubsteps && solved(first.run, 4 * substeps) <= kMostSolved &&
-                           2 * substeps < kMostSubsteps;
+      const bool mayGoOn = options_.doublesSubsteps && solved(first.run, 4 * substeps) <= kMaxSolved &&
+                           2 * substeps < kMaxSubsteps;
       ComparedRuns::Result doubled =
-          runs_.run(originalWith(std::min(2 * substeps, kMostSubsteps), 0, options_.records && mayGoOn));
+          runs_.run(originalWith(std::min(2 * substeps, kMaxSubsteps), 0, options_.records && mayGoOn));
       MotionComparison found = compared(first, second, doubled, substeps);
       second.displacements = std::vector<Vec3>();  // in long runs a gigabyte each
       if (found.isConverged || !mayGoOn) {

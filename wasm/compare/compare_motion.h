@@ -53,13 +53,13 @@ inline constexpr double kConverged = 0.25;
 // The most constraint solves in one run that checks whether the original has converged (a run solves all
 // constraints in every substep of every step); beyond it `doublesSubsteps` gives up. About a minute at 25 ns
 // each.
-inline constexpr double kMostSolved = 2e9;
+inline constexpr double kMaxSolved = 2e9;
 
 // Runs the scenario with the original and, if given, with `other`, which has the same material except for the
 // calibration or its own solver, and the pins carried over. The bodies run one after the other, so that each
 // is timed separately. The original runs once more with twice the substeps, to see whether it has converged;
 // with `doublesSubsteps` the comparison is repeated with the doubled number until it has, or until
-// kMostSolved is reached. Throws as RunningScenario does, std::invalid_argument if `other` has no triangle,
+// kMaxSolved is reached. Throws as RunningScenario does, std::invalid_argument if `other` has no triangle,
 // and std::runtime_error with a sentence as soon as a body has diverged.
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job);

@@ -15,7 +15,7 @@ namespace limber {
 namespace {
 
 constexpr size_t kGrain = 512;  // points of a range for one thread
-constexpr uint64_t kSamplesPerTriangle = 10, kFewestSamples = 10'000, kMostSamples = 500'000;
+constexpr uint64_t kSamplesPerTriangle = 10, kFewestSamples = 10'000, kMaxSamples = 500'000;
 
 // The distance of each point to a surface. Consecutive points should lie close together: the search for each
 // begins at the triangle closest to the previous one.
@@ -98,7 +98,7 @@ double mean(const std::vector<double>& values) {
 uint32_t sampleCount(const TriangleMesh& a, const TriangleMesh& b, uint32_t wanted) {
   if (wanted > 0) return wanted;
   const uint64_t proportional = kSamplesPerTriangle * std::max(a.triangleCount(), b.triangleCount());
-  return static_cast<uint32_t>(std::clamp(proportional, kFewestSamples, kMostSamples));
+  return static_cast<uint32_t>(std::clamp(proportional, kFewestSamples, kMaxSamples));
 }
 
 // The largest distance of two surfaces often occurs on an edge. About half as many points as `samples`, the

@@ -13,7 +13,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostPasses = 12;  // over all edges
+constexpr int kMaxPasses = 12;  // over all edges
 constexpr size_t kEdgesPerRange = 8192;
 constexpr double kFlat = 0.97;     // smallest cosine between any old and any new normal
 constexpr double kClearly = 1e-3;  // the sine of the sum of both opposite angles must be less than minus this
@@ -161,7 +161,7 @@ void Flipping::flip(const EdgeQuad& quad) {
 uint32_t flipToDelaunay(TriangleMesh& mesh, const FlipLimits& limits, std::vector<uint32_t>& corners) {
   Flipping flipping(mesh, limits, corners);
   uint32_t total = 0;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     const uint32_t flips = flipping.pass();
     total += flips;
     if (flips == 0) break;

@@ -39,7 +39,7 @@ void findFlatRegions(FitPart& part, const OriginalSurface& surface) {
 // The largest root mean square distance that a search may use.
 double budgetOf(const FitPart& part, const FitSamples& samples, const Job& job) {
   const SampleDistance start = sampleDistance(part.result, samples, job);
-  return std::max(tuning::budget::kGrowth * std::sqrt(start.meanSquare), tuning::budget::kLeast);
+  return std::max(tuning::budget::kGrowth * std::sqrt(start.meanSquare), tuning::budget::kMin);
 }
 
 // Mean squares of the mismatch of modes.

@@ -81,7 +81,7 @@ void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted)
   ShapeRounds rounds(part, surface, steps, context.job);
   FlipLimits flips = flipLimits(part, steps, rounds.startDistance());
   if (steps.deviation)
-    flips.mostLift = std::min(flips.mostLift, constants::kMostLift * maxDeviation / part.frame.diagonal);
+    flips.mostLift = std::min(flips.mostLift, constants::kMaxLift * maxDeviation / part.frame.diagonal);
   std::vector<uint32_t> corners = unflipped(part.result).corners;
   for (int round = 0; round < constants::kRounds; ++round) {
     context.report(static_cast<double>(round) / constants::kRounds);

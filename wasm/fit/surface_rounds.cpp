@@ -14,7 +14,7 @@ uint32_t runSurfaceRounds(FitPart& part, const SurfaceRoundsInput& input, std::v
   namespace constants = tuning::surface_rounds;
   FlipLimits flipLimits{part.fixedEdges, part.partners(), input.limits.minAngle};
   if (input.limits.deviation)
-    flipLimits.mostLift = constants::kMostLift * input.maxDeviation / part.frame.diagonal;
+    flipLimits.mostLift = constants::kMaxLift * input.maxDeviation / part.frame.diagonal;
   uint32_t flips = 0;
   std::vector<uint32_t> closestTriangles;
   for (int round = 0; round < constants::kRounds; ++round) {

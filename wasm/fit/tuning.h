@@ -15,13 +15,13 @@ namespace limber::tuning {
 namespace surface {
 // A sample attracts a face only if the cosine between their normals is at least this. Higher values keep thin
 // sheets apart, but lose samples at sharp edges.
-inline constexpr double kLeastCosine = -0.3;
+inline constexpr double kMinCosine = -0.3;
 // A sample at this many root mean square distances weighs twice as much as one at distance 0, and farther
 // ones more. Halving it keeps paws and tips in place, doubling it favours the mean distance.
 inline constexpr double kFarDistance = 3;
 // The largest factor by which the weight of a sample grows with its distance. It bounds the effect of
 // outliers.
-inline constexpr double kMostFarWeight = 20;
+inline constexpr double kMaxFarWeight = 20;
 // A vertex is on a crease with respect to a direction in which the covariance of its normals reaches this
 // fraction of the largest eigenvalue. Doubling it lets vertices slide off blunt edges, halving it fixes those
 // of curved surfaces.
@@ -45,7 +45,7 @@ inline constexpr double kDamping = 1e-3;
 // triangles. Doubling it makes triangles more regular at the cost of distance.
 inline constexpr double kEvenness = 0.003;
 // A flip may displace the surface by this fraction of the deviation limit.
-inline constexpr double kMostLift = 0.02;
+inline constexpr double kMaxLift = 0.02;
 }  // namespace surface_rounds
 
 // How far the search may move the surface. Better frequencies cost distance.
@@ -54,7 +54,7 @@ namespace budget {
 // 6.3e-4 below) frequency errors are 7 % larger and distances 8 % smaller.
 inline constexpr double kGrowth = 1.45;
 // It may also grow to this fraction of the diagonal, which matters if the result is close to the original.
-inline constexpr double kLeast = 7e-4;
+inline constexpr double kMin = 7e-4;
 }  // namespace budget
 
 // The parameters of a search that differ between small and large components.
@@ -75,10 +75,10 @@ inline constexpr SearchEffort kLargeSearch{6, 4e-8, 5e-4, 3500};
 namespace search {
 // Residuals are clipped to this value in a step, because the model is linear. Doubling it raises the error by
 // 5 %.
-inline constexpr double kMostResidual = 0.1;
+inline constexpr double kMaxResidual = 0.1;
 // The smallest weight of residuals, in squared budgets: a step improves frequencies even when the budget is
 // spent.
-inline constexpr double kLeastResidualWeight = 1;
+inline constexpr double kMinResidualWeight = 1;
 // Weight of evenness during the search: see surface_rounds::kEvenness. Between 0.0005 and 0.001 it costs
 // hardly anything.
 inline constexpr double kEvenness = 1e-3;
@@ -96,7 +96,7 @@ inline constexpr double kRetryAbove = 2.5e-3;
 
 // Levenberg-Marquardt damping: see Damping. Gains are fractions of the predicted decrease of the residuals.
 namespace damping {
-inline constexpr double kLeast = 3e-4, kMost = 1e5;  // range of mu; at kMost the search ends
+inline constexpr double kMin = 3e-4, kMax = 1e5;  // range of mu; at kMax the search ends
 // Below kPoorGain the damping is multiplied by kIncrease; above kGoodGain it is divided by kDecrease. Other
 // thresholds and factors gave errors up to 5 % larger.
 inline constexpr double kPoorGain = 0.3, kGoodGain = 0.7;
@@ -108,7 +108,7 @@ inline constexpr double kFullGain = 0.85, kFastDecrease = 3;
 // steps of the other vertices then no longer rely on it, which lowered the error of nine meshes from 0.98 to
 // 0.76 %.
 inline constexpr double kBlocked = 0.5, kBlockedIncrease = 4, kFreedDecrease = 3;
-inline constexpr double kMostScale = 1e6;  // of the damping scale
+inline constexpr double kMaxScale = 1e6;  // of the damping scale
 }  // namespace damping
 
 // Convergence of a search: see StopRule. `Root` values are differences of the root of a mean square.

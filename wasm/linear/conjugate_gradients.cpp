@@ -13,9 +13,9 @@ namespace {
 // The tolerance of an inexact Gauss-Newton step (Dembo, Eisenstat and Steihaug 1982): the next step has a
 // different model, so more digits of this one would be wasted. Fits are equally good from 1e-4 to 3e-2.
 constexpr double kTolerance = 1e-2;
-constexpr int kMostSteps = 300;
+constexpr int kMaxSteps = 300;
 constexpr size_t kNodesPerRange = 2048;
-constexpr Eigen::Index kMostColumns = 3;
+constexpr Eigen::Index kMaxColumns = 3;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -57,7 +57,7 @@ class Solve {
     });
     const Numbers enough = kTolerance * kTolerance * squares;
     Numbers ratio = Numbers::Zero();
-    for (int step = 0; step < kMostSteps && (squares > enough).any(); ++step) {
+    for (int step = 0; step < kMaxSteps && (squares > enough).any(); ++step) {
       job_.check();
       conjugate(direction, residual, ratio);
       const Numbers curvature = multiply(direction, product);
@@ -136,8 +136,8 @@ void solveColumns(const ShiftedMatrix& matrix, Index first, MatrixXd& columns, J
 
 MatrixXd conjugateGradients(const ShiftedMatrix& matrix, const MatrixXd& b, Job& job) {
   MatrixXd columns = b;
-  for (Index first = 0; first < columns.cols(); first += kMostColumns) {
-    const Index count = std::min(kMostColumns, columns.cols() - first);
+  for (Index first = 0; first < columns.cols(); first += kMaxColumns) {
+    const Index count = std::min(kMaxColumns, columns.cols() - first);
     if (count == 1) solveColumns<1>(matrix, first, columns, job);
     if (count == 2) solveColumns<2>(matrix, first, columns, job);
     if (count == 3) solveColumns<3>(matrix, first, columns, job);

@@ -22,7 +22,7 @@ using RowsOfOne = Eigen::VectorXd;
 using AllRowsOfMany = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RowsOfMany = Eigen::Map<AllRowsOfMany, 0, Eigen::OuterStride<>>;  // some of their columns
 
-constexpr Eigen::Index kLeastColumns = 16;  // right-hand sides that one thread solves for at the top
+constexpr Eigen::Index kMinColumns = 16;  // right-hand sides that one thread solves for at the top
 
 // Calls `solve` with the columns of y, divided among several threads. The result of a column does not depend
 // on the other columns.
@@ -33,7 +33,7 @@ void forEachPart(RowsOfOne& y, const Solve& solve) {
 
 template <class Solve>
 void forEachPart(RowsOfMany& y, const Solve& solve) {
-  const auto columns = static_cast<size_t>(y.cols()), parts = std::max<size_t>(1, y.cols() / kLeastColumns);
+  const auto columns = static_cast<size_t>(y.cols()), parts = std::max<size_t>(1, y.cols() / kMinColumns);
   parallelFor(columns, (columns + parts - 1) / parts, [&](size_t begin, size_t end) {
     RowsOfMany part(y.data() + begin, y.rows(), static_cast<Eigen::Index>(end - begin), y.outerStride());
     solve(part);

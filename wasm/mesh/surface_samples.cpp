@@ -7,7 +7,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kMostOnEdge = 63;
+constexpr double kMaxOnEdge = 63;
 
 struct EdgePoints {
   Vec3 from, step;
@@ -60,7 +60,7 @@ std::vector<Vec3> sampleEdges(const TriangleMesh& mesh, double spacing) {
       const uint32_t from = triangle[c], to = triangle[(c + 1) % 3];
       const Vec3& low = mesh.positions[std::min(from, to)];
       const Vec3& high = mesh.positions[std::max(from, to)];
-      const double gaps = std::clamp(std::ceil(length(high - low) / spacing), 2.0, kMostOnEdge + 1);
+      const double gaps = std::clamp(std::ceil(length(high - low) / spacing), 2.0, kMaxOnEdge + 1);
       const int count = (static_cast<int>(gaps) - 1) | 1;
       add({low, (high - low) * (1.0 / (count + 1)), count}, from < to, points);
     }

@@ -11,12 +11,12 @@ namespace {
 
 constexpr size_t kVerticesPerRange = 8192;
 constexpr size_t kTrianglesPerRange = 65536;  // at least, because every range takes memory for every vertex
-constexpr size_t kMostRanges = 4;
+constexpr size_t kMaxRanges = 4;
 
 // Counting sort of the corners by their vertices, range by range of the triangles.
 void collectCorners(const TriangleMesh& mesh, Topology& topology) {
   const uint32_t n = mesh.vertexCount();
-  const size_t grain = std::max(kTrianglesPerRange, mesh.triangles.size() / kMostRanges + 1);
+  const size_t grain = std::max(kTrianglesPerRange, mesh.triangles.size() / kMaxRanges + 1);
   std::vector<std::vector<uint32_t>> next((mesh.triangles.size() + grain - 1) / grain);
   parallelFor(mesh.triangles.size(), grain, [&](size_t begin, size_t end) {
     std::vector<uint32_t>& count = next[begin / grain];

@@ -6,7 +6,7 @@
 namespace limber {
 namespace {
 
-constexpr double kLeastArea = 1e-9;  // of the mean
+constexpr double kMinArea = 1e-9;  // of the mean
 
 }  // namespace
 
@@ -23,7 +23,7 @@ std::vector<double> lumpedAreas(const TriangleMesh& mesh) {
   std::vector<double> areas = vertexAreas(mesh);
   const double mean =
       std::accumulate(areas.begin(), areas.end(), 0.0) / std::max<double>(1, mesh.vertexCount());
-  for (double& area : areas) area = std::max(area, kLeastArea * mean);
+  for (double& area : areas) area = std::max(area, kMinArea * mean);
   return areas;
 }
 

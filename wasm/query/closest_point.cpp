@@ -15,23 +15,23 @@ constexpr double kSameWay = 0.25;        // cosine between normals
 constexpr double kBetweenSheets = 0.01;  // of the diagonal
 constexpr size_t kTrianglesPerRange = 4096;
 constexpr double kFittingBox = 8;             // half the surface of a box over the area of the triangle in it
-constexpr double kMostPieces = 16;            // of a needle, in boxes that fit
+constexpr double kMaxPieces = 16;             // of a needle, in boxes that fit
 constexpr uint64_t kCutsInAnyMesh = 1 << 18;  // larger meshes have a cut for each triangle
 // The normal of a triangle that is flatter than this (height over length) is dominated by rounding, and its
 // edges are as near as its inside.
-constexpr double kLeastHeight = 1e-8;
+constexpr double kMinHeight = 1e-8;
 // Products of smaller squares lose digits, as doubles end at 1e-308.
-constexpr double kLeastSquare = 1e-280;
+constexpr double kMinSquare = 1e-280;
 // The three coordinates of a foot point are computed separately, so their sum is off from 1 by about the
 // rounding error of one of them, eps d / h at the distance d from a triangle of height h. A coordinate with
 // that error moves the point by eps d L / h along the triangle, and taking an edge instead by at most h: the
 // two are equal if the error is about the root of eps.
-constexpr double kMostRounding = 1e-8;
+constexpr double kMaxRounding = 1e-8;
 
 // Whether a triangle with the edges `first` and `second` and the given cross product has an inside.
 bool hasInside(const Vec3& first, const Vec3& second, double squaredNormal) {
   const double square = std::max(squaredLength(first), squaredLength(second));
-  return squaredNormal > std::max(kLeastHeight * kLeastHeight * square * square, kLeastSquare);
+  return squaredNormal > std::max(kMinHeight * kMinHeight * square * square, kMinSquare);
 }
 
 // The parameter in [0, 1] of the point of the segment a + s (b - a) closest to p.
@@ -57,7 +57,7 @@ void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycen
       least = std::min(least, barycentric[c]);
       sum += barycentric[c];
     }
-    isSure = std::abs(sum - 1) <= kMostRounding;
+    isSure = std::abs(sum - 1) <= kMaxRounding;
     if (least >= 0 && isSure) return;
   }
   double best = HUGE_VAL;
@@ -114,7 +114,7 @@ uint32_t piecesOf(const TriangleMesh& mesh, uint32_t t) {
   const Vec3 size = bounds(mesh, t).high - bounds(mesh, t).low;
   const double box = size.x * size.y + size.y * size.z + size.z * size.x;
   const double pieces = box / (kFittingBox * triangleArea(mesh, t));
-  return pieces > 1 ? static_cast<uint32_t>(std::min(pieces, kMostPieces)) : 1;
+  return pieces > 1 ? static_cast<uint32_t>(std::min(pieces, kMaxPieces)) : 1;
 }
 
 // Per triangle its first piece, and at the end the number of all pieces. If there would be too many, each

@@ -17,9 +17,9 @@ constexpr double kMargin = 0.85;
 constexpr double kSamples = 10000;
 constexpr int kFinest = 8;  // ... with its edges cut into at most this many parts
 // To sample a changed triangle, its edges are cut into parts of about this length, in multiples of the limit,
-// but at least kFewestCuts and at most kMostCuts parts.
+// but at least kFewestCuts and at most kMaxCuts parts.
 constexpr double kCutLength = 2;
-constexpr double kFewestCuts = 3, kMostCuts = 20;
+constexpr double kFewestCuts = 3, kMaxCuts = 20;
 // A triangle within this fraction of the limit is near enough to a sample; the search for a nearer one ends.
 constexpr double kNearEnough = 0.25;
 
@@ -132,7 +132,7 @@ bool DeviationLimit::isNearInput(const Changed& changed, const Vec3& target) con
   const double longest =
       std::max({squaredLength(q - target), squaredLength(r - target), squaredLength(r - q)});
   const double parts = std::ceil(std::sqrt(longest / squaredLimit_) / kCutLength);
-  const int cuts = static_cast<int>(std::clamp(parts, kFewestCuts, kMostCuts));
+  const int cuts = static_cast<int>(std::clamp(parts, kFewestCuts, kMaxCuts));
   bool near = true;
   const auto ask = [&, triangle = triangle](const Vec3& p) { near = near && isNearInput(p, triangle); };
   for (int i = 1; i < cuts; ++i) ask(target + (q - target) * (1.0 * i / cuts));

@@ -8,7 +8,7 @@ namespace limber {
 
 namespace {
 
-constexpr uint32_t kMostBlocks = 32;
+constexpr uint32_t kMaxBlocks = 32;
 
 // Appends the connected part of a vertex to an order, breadth first from that vertex. A part can be traversed
 // a second time, from another vertex.
@@ -72,7 +72,7 @@ std::vector<uint32_t> orderFromEndToEnd(const Stencils& stencils, uint32_t verte
 }
 
 uint32_t blockCountOf(uint32_t vertexCount, const BlockSizes& sizes) {
-  return vertexCount < sizes.least ? 1 : std::min(vertexCount / sizes.size, kMostBlocks);
+  return vertexCount < sizes.least ? 1 : std::min(vertexCount / sizes.size, kMaxBlocks);
 }
 
 Blocks blocksOf(const Stencils& stencils, uint32_t vertexCount, uint32_t count) {

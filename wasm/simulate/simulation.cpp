@@ -36,8 +36,8 @@ std::vector<Bounds> boxesOf(const std::vector<Vec3>& positions,
 }
 
 bool fitsFloat32(const Vec3& p) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  return std::abs(p.x) <= kMost && std::abs(p.y) <= kMost && std::abs(p.z) <= kMost;
+  constexpr double kMax = std::numeric_limits<float>::max();
+  return std::abs(p.x) <= kMax && std::abs(p.y) <= kMax && std::abs(p.z) <= kMax;
 }
 
 void requireOptions(const SimulationOptions& options) {
@@ -51,7 +51,7 @@ void requireOptions(const SimulationOptions& options) {
   require(positive(density), "The density must be above 0 kg/m3.");
   require(positive(thickness), "The thickness must be above 0.");
   require(positive(unit), "The unit must be above 0 metres.");
-  require(options.substeps >= 1 && options.substeps <= kMostSubsteps, "A step has 1 to 10,000 substeps.");
+  require(options.substeps >= 1 && options.substeps <= kMaxSubsteps, "A step has 1 to 10,000 substeps.");
   require(std::isfinite(options.friction) && options.friction >= 0, "The friction must be at least 0.");
   require(std::isfinite(options.damping) && options.damping >= 0,
           "The damping must be at least 0 per second.");

@@ -14,7 +14,7 @@ namespace limber {
 
 // The duration of one step, whatever the number of substeps.
 inline constexpr double kStepSeconds = 1.0 / 60;
-inline constexpr int kMostSubsteps = 10000;  // of a step
+inline constexpr int kMaxSubsteps = 10000;  // of a step
 
 // Shell: membrane and bending of a thin plate, the same material on every mesh. Springs: on the edges, as in
 // the paper (see paperSprings), a different material on every mesh. Solid: a lattice through the inside of

@@ -15,7 +15,7 @@ constexpr size_t kVerticesPerCheck = 1024;
 
 // A face faces the same way as a vertex if the cosine between their normals is at least this. It is below 0
 // because the rim of a sheet has faces a little beyond 90 degrees.
-constexpr double kLeastCosine = -0.25;
+constexpr double kMinCosine = -0.25;
 
 void check(const TriangleMesh& original, const MeshAt& result) {
   const auto outside = [&](uint32_t v) { return v != kNone && v >= result.mesh.vertexCount(); };
@@ -40,7 +40,7 @@ struct Surfaces {
   std::vector<Vec3> resultNormals;    // per triangle of the result
 
   bool facesAlike(uint32_t vertex, uint32_t triangle) const {
-    return dot(originalNormals[vertex], resultNormals[triangle]) >= kLeastCosine;
+    return dot(originalNormals[vertex], resultNormals[triangle]) >= kMinCosine;
   }
 };
 

@@ -8,7 +8,7 @@ namespace limber {
 namespace {
 
 constexpr double kMarginLow = 1.3e-6, kMarginHigh = 0.7e-6;  // of a cell
-constexpr double kMostCells = 4e6;                           // in the box, filled or empty
+constexpr double kMaxCells = 4e6;                            // in the box, filled or empty
 constexpr double kCoarsening = 1.1;     // factor on the side of a cell until they are few enough
 constexpr double kSmallestSide = 1e-4;  // of a cell, of the bounding diagonal
 constexpr int kBisections = 60;
@@ -57,11 +57,11 @@ LatticeGrid latticeGrid(const TriangleMesh& body, const Vec3& cellSize) {
   LatticeGrid grid;
   for (double factor = 1;; factor *= kCoarsening) {
     for (int axis = 0; axis < 3; ++axis) {
-      const double count = std::min(size[axis] / (factor * cellSize[axis]), kMostCells);
+      const double count = std::min(size[axis] / (factor * cellSize[axis]), kMaxCells);
       grid.count[axis] = std::max(1, static_cast<int>(std::lround(count)));
     }
     // The product of the counts can exceed the range of size_t.
-    if (1.0 * grid.count[0] * grid.count[1] * grid.count[2] <= kMostCells) break;
+    if (1.0 * grid.count[0] * grid.count[1] * grid.count[2] <= kMaxCells) break;
   }
   for (int axis = 0; axis < 3; ++axis) {
     grid.size[axis] = size[axis] * (1 + (kMarginLow + kMarginHigh) / grid.count[axis]) / grid.count[axis];

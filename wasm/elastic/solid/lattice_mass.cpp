@@ -12,8 +12,8 @@ namespace limber {
 namespace {
 
 constexpr double kMoved = 1.0 / 12;  // of the mass of a cell
-constexpr double kLeast = 0.4,
-                 kMost = 1.4;  // bounds on the mass of a node afterwards, relative to its mass before
+constexpr double kMin = 0.4,
+                 kMax = 1.4;  // bounds on the mass of a node afterwards, relative to its mass before
 
 // The corner of a cell on one side of an axis, with `lateral` as in Lattice::ends.
 uint32_t cellCorner(uint32_t axis, uint32_t lateral, uint32_t side) {
@@ -48,8 +48,8 @@ class MovableMass {
     for (int attempt = 0; attempt < 2; ++attempt) {
       const uint32_t next = neighbours_[6 * size_t{node} + direction];
       if (next == kNone) return;
-      const double available = mass_[node] - kLeast * before_[node],
-                   capacity = kMost * before_[next] - mass_[next];
+      const double available = mass_[node] - kMin * before_[node],
+                   capacity = kMax * before_[next] - mass_[next];
       const double moved = std::max(0.0, std::min({wanted, available, capacity}));
       mass_[node] -= moved;
       mass_[next] += moved;

@@ -18,10 +18,10 @@ namespace limber {
 namespace {
 
 constexpr double kFloatRounding = std::numeric_limits<float>::epsilon() / 2;
-constexpr double kLeastBendShare = 1e-6;  // of the eigenvalue with all constraints, in the rough estimate
-constexpr int kRoughSteps = 3;            // of inverse iteration, at most, for that estimate
-constexpr double kCloseToShift = 0.25;    // an estimate above this times the shift is good enough
-constexpr double kManyRoundings = 100;    // rounding errors of a mode search over those of one sum of forces
+constexpr double kMinBendShare = 1e-6;  // of the eigenvalue with all constraints, in the rough estimate
+constexpr int kRoughSteps = 3;          // of inverse iteration, at most, for that estimate
+constexpr double kCloseToShift = 0.25;  // an estimate above this times the shift is good enough
+constexpr double kManyRoundings = 100;  // rounding errors of a mode search over those of one sum of forces
 constexpr double kDoubleRounding = std::numeric_limits<double>::epsilon() / 2;
 
 // All polynomials of degree up to 2 as displacements along each axis: a matrix (3 v + c) x 30.
@@ -162,7 +162,7 @@ double SolverVibration::roughFirstEigenvalue(Job& job) const {
       notBelow(eigenvalueOfRounding(whole) / kZeroRatio, ritzValue(whole, motions, rigidMotionCount()));
   std::fill_n(factors.begin(), stretches, 0.0);
   const double bend = ritzValue(pencilOf(factors), motions, rigidMotionCount());
-  return refinedFirstEigenvalue(std::sqrt(all * notBelow(kLeastBendShare * all, bend)), motions, job);
+  return refinedFirstEigenvalue(std::sqrt(all * notBelow(kMinBendShare * all, bend)), motions, job);
 }
 
 // Each step of inverse iteration damps the components that are far stiffer than the shift, so that a shift

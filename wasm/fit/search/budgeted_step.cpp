@@ -35,7 +35,7 @@ BudgetedStep::BudgetedStep(const Eigen::VectorXd& gradient, const Mismatch& mism
       gram_(lowerProduct(mismatch.jacobian.transpose(), solved_.rightCols(mismatch.jacobian.cols()))),
       diagonal_(gram_.diagonal()),
       subdiagonal_(gram_.subDiagonal()) {
-  constexpr double clip = tuning::search::kMostResidual;
+  constexpr double clip = tuning::search::kMaxResidual;
   target_ = gram_.matrixQ().adjoint() * (mismatch.residual.cwiseMax(-clip).cwiseMin(clip) +
                                          mismatch.jacobian.transpose() * solved_.col(0));
 }

@@ -10,7 +10,7 @@ namespace limber {
 //   dx^T A dx - 2 g^T dx + w |r + J dx|^2
 // for any residual weight w > 0: the first two terms are the damped model of the surface distance
 // (SurfaceFit, DampedSystem), the last one is the linearised mismatch of modes (Mismatch, with residuals
-// clipped to tuning::search::kMostResidual). J has few rows, so the Woodbury formula gives the minimum for
+// clipped to tuning::search::kMaxResidual). J has few rows, so the Woodbury formula gives the minimum for
 // all w from one factorisation of A: with s = A^-1 g, X = A^-1 J^T and G = J X,
 //   dx = s - X y,  (1 / w + G) y = r + J s.
 // At this dx the surface terms are y^T G y - g^T s. G is made tridiagonal once, after which each w costs

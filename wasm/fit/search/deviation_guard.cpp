@@ -17,13 +17,13 @@ constexpr double kMargin =
     0.9;  // fraction of the limit that samples may use, because points between them may be farther
 constexpr size_t kSamplesPerRange = 256, kTrianglesPerRange = 256;
 // Each triangle is cut into n^2 congruent ones, so that their total is about the wanted number of samples; n
-// is at least kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
-constexpr double kFewestCuts = 3, kMostCuts = 24;
-constexpr double kMostFollowed = 0.05;  // of the triangles, whose covers are tracked one by one
+// is at least kFewestCuts for the moving mesh (1 for the original) and at most kMaxCuts.
+constexpr double kFewestCuts = 3, kMaxCuts = 24;
+constexpr double kMaxFollowed = 0.05;  // of the triangles, whose covers are tracked one by one
 
 int cutsOf(const TriangleMesh& mesh, double parts, double fewest) {
   const double cuts = std::ceil(std::sqrt(parts / std::max(1u, mesh.triangleCount())));
-  return static_cast<int>(std::clamp(cuts, fewest, kMostCuts));
+  return static_cast<int>(std::clamp(cuts, fewest, kMaxCuts));
 }
 
 using Weights = std::vector<std::array<double, 3>>;
@@ -90,7 +90,7 @@ bool followCovers(const Covering& covering, const std::vector<OpenTriangle>& ope
                   std::vector<SurfacePoint>& covers) {
   const auto& [mesh, surface, enough] = covering;
   const bool isNew = std::ranges::any_of(open, [](const auto& t) { return t.coverBefore == kNone; });
-  if (isNew || open.size() > kMostFollowed * mesh.triangleCount()) return false;
+  if (isNew || open.size() > kMaxFollowed * mesh.triangleCount()) return false;
   if (open.empty()) return true;
   const Topology topology = buildIncidence(surface);
   SurfaceWalk walk(surface, topology);

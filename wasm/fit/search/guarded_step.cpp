@@ -11,12 +11,12 @@ namespace limber {
 namespace {
 
 constexpr double kStep = 0.2;          // largest displacement, over the smallest height around a vertex
-constexpr double kLeastCosine = 0.6;   // between a face's normal and the one at the start (53 degrees)
+constexpr double kMinCosine = 0.6;     // between a face's normal and the one at the start (53 degrees)
 constexpr double kKeptQuality = 0.8;   // of the quality at the start, which a face must keep ...
 constexpr double kGoodQuality = 0.45;  // ... if it has no more than this
 constexpr double kRounding = 0.01;     // degrees that storing positions as float32 may cost
 constexpr int kHalvings = 5;           // of the displacements of a bad face, before they are set to 0
-constexpr int kMostRounds = 50;        // of checks, after which the step is abandoned
+constexpr int kMaxRounds = 50;         // of checks, after which the step is abandoned
 constexpr size_t kPerRange = 2048;
 
 double smallestAngle(const TriangleMesh& mesh, uint32_t t) {
@@ -69,7 +69,7 @@ GuardedStep::GuardedStep(const TriangleMesh& start, const StepLimits& limits)
 
 bool GuardedStep::isSound(const TriangleMesh& mesh, uint32_t t) const {
   if (squaredLength(normal_[t]) == 0) return true;
-  return dot(normalized(areaNormal(mesh, t)), normal_[t]) >= kLeastCosine &&
+  return dot(normalized(areaNormal(mesh, t)), normal_[t]) >= kMinCosine &&
          triangleQuality(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) >= quality_[t] &&
          (angle_[t] == 0 || smallestAngle(mesh, t) >= angle_[t]);
 }
@@ -131,7 +131,7 @@ TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd&
   }
   TriangleMesh moved = mesh;
   std::vector<uint8_t> isChanged;  // per face, since the last round; empty: all
-  for (int round = 0; round <= kMostRounds; ++round) {
+  for (int round = 0; round <= kMaxRounds; ++round) {
     for (uint32_t v = 0; v < n; ++v) moved.positions[v] = mesh.positions[v] + moves[v];
     const std::vector<uint8_t> isBad = badVertices(moved, isChanged);
     if (isBad.empty()) return moved;

@@ -98,7 +98,7 @@ Eigen::VectorXd ModalSearch::stepWithinBudget(const Eigen::VectorXd& gradient, E
   const SurfaceFit& surface = state_.surface;
   const double left = (limits_.budget * limits_.budget - surface.meanSquare) * surface.area;
   const double unit = surface.area * limits_.budget * limits_.budget;
-  return budgeted.step(budgeted.weightWithinBudget(left, tuning::search::kLeastResidualWeight * unit,
+  return budgeted.step(budgeted.weightWithinBudget(left, tuning::search::kMinResidualWeight * unit,
                                                    limits_.effort.mostResidualWeight * unit));
 }
 

@@ -53,7 +53,7 @@ std::vector<Contact> searchContacts(const ContactSearch& wanted, const MakeSearc
       const auto& [point, normal, area] = samples.surface[i];
       const ClosestPoint closest = search(point, closestTriangles[i] != kNone ? closestTriangles[i] : before);
       before = closestTriangles[i] = closest.triangle;
-      if (dot(normalized(areaNormal(mesh, closest.triangle)), normal) < constants::kLeastCosine) continue;
+      if (dot(normalized(areaNormal(mesh, closest.triangle)), normal) < constants::kMinCosine) continue;
       contacts[i] = {closest, dot(point - closest.position, normal)};
     }
   });
@@ -131,7 +131,7 @@ struct ModelSums {
   double weightOf(size_t sample) const {
     const double square = contacts[sample].distance * contacts[sample].distance;
     return samples.surface[sample].area *
-           (far > 0 ? std::min(1 + square / far, constants::kMostFarWeight) : 1);
+           (far > 0 ? std::min(1 + square / far, constants::kMaxFarWeight) : 1);
   }
 };
 

@@ -13,9 +13,9 @@ namespace limber {
 namespace {
 
 // Faces of an original above which a trial takes more than about a minute.
-constexpr uint32_t kMostFaces = 20000;
+constexpr uint32_t kMaxFaces = 20000;
 // The same for cross springs: nets of them buckle everywhere, so that a step takes five times as many solves.
-constexpr uint32_t kMostFacesOfSprings = 10000;
+constexpr uint32_t kMaxFacesOfSprings = 10000;
 constexpr uint32_t kRecordEvery = 2, kLongStride = 2;
 
 // The points of motion deviation, see compare/motion_deviation.h, bound to a body.
@@ -32,7 +32,7 @@ std::vector<SurfacePoint> samplesOn(const TriangleMesh& original, const Triangle
 std::string refusalOf(const MovingBody& original, const SolverModel& model) {
   if (model.bend == BendElement::Morley && !(original.constants.bend > 0))
     return "a shell without bending stiffness has no thickness";
-  const uint32_t most = model.bend == BendElement::CrossSprings ? kMostFacesOfSprings : kMostFaces;
+  const uint32_t most = model.bend == BendElement::CrossSprings ? kMaxFacesOfSprings : kMaxFaces;
   if (original.mesh.triangleCount() > most)
     return "the original has " + std::to_string(original.mesh.triangleCount()) +
            " faces, and to move one of more than " + std::to_string(most) + " faces takes too long";

@@ -9,10 +9,10 @@ namespace limber {
 
 namespace {
 
-constexpr uint32_t kCoarsest = 60;       // nodes: coarsening ends at graphs of at most this size
-constexpr uint32_t kSeeds = 4;           // attempts on the coarsest graph
-constexpr int kTightenings = 3;          // at most, on each finer graph
-constexpr double kLeastShrinking = 0.9;  // coarsening ends if more than this share of the nodes is left
+constexpr uint32_t kCoarsest = 60;     // nodes: coarsening ends at graphs of at most this size
+constexpr uint32_t kSeeds = 4;         // attempts on the coarsest graph
+constexpr int kTightenings = 3;        // at most, on each finer graph
+constexpr double kMinShrinking = 0.9;  // coarsening ends if more than this share of the nodes is left
 
 // Numbers the nodes in breadth-first order from `seed` and returns the last node.
 uint32_t rankFrom(const NodeGraph& graph, uint32_t seed, std::vector<uint32_t>& rank) {
@@ -109,7 +109,7 @@ Sides separate(const NodeGraph& graph, const Job& job) {
   if (graph.nodeCount() > kCoarsest) {
     std::vector<uint32_t> coarseOf;
     const NodeGraph coarse = coarsened(graph, coarseOf);
-    if (coarse.nodeCount() < kLeastShrinking * graph.nodeCount()) {
+    if (coarse.nodeCount() < kMinShrinking * graph.nodeCount()) {
       const Sides coarseSides = separate(coarse, job);
       if (std::ranges::count(coarseSides, Right) > 0) return refined(graph, coarseOf, coarseSides);
     }

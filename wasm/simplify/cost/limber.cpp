@@ -13,7 +13,7 @@ namespace {
 // ones make edge lengths more uniform and put more edges where strain is high.
 constexpr double kErrorWeight = 3;
 // Worse qualities cost no more than this one, so that collapses between needles have finite, ordered costs.
-constexpr double kLeastQuality = 1e-6;
+constexpr double kMinQuality = 1e-6;
 // The sliver price is (kSliverQuality / q)^4: 1 at an angle of about five degrees, and steep, so that good
 // triangles pay almost nothing. A larger quality or a lower power would move collapses away from where they
 // cost the least distance.
@@ -112,7 +112,7 @@ double LimberCost::strainAt(uint32_t edge) const {
 
 // The factor of the worst triangle on a cost.
 double LimberCost::qualityFactor(uint32_t edge, const Vec3& target) const {
-  const double quality = std::max(worstQualityAfter(edge, target), kLeastQuality);
+  const double quality = std::max(worstQualityAfter(edge, target), kMinQuality);
   return 1 + qualityWeight_ * (1 / quality - 1) * (1 + sliverPrice(edge, quality));
 }
 

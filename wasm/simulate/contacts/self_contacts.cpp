@@ -14,7 +14,7 @@ namespace limber {
 namespace {
 
 // The limit on cells per axis that lets a key fit into 64 bits.
-constexpr double kMostCells = 1 << 20;
+constexpr double kMaxCells = 1 << 20;
 constexpr double kWidestSteps = 3;  // edges, limit on a diameter: touching vertices are at least as far apart
 
 using CellIndex = std::array<uint64_t, 3>;
@@ -31,7 +31,7 @@ struct Grid {
   CellIndex cellOf(const Vec3& p) const {
     CellIndex index;
     for (int c = 0; c < 3; ++c)
-      index[c] = 1 + static_cast<uint64_t>(std::min((p[c] - low[c]) / cell, kMostCells));
+      index[c] = 1 + static_cast<uint64_t>(std::min((p[c] - low[c]) / cell, kMaxCells));
     return index;
   }
 };

@@ -11,10 +11,10 @@ namespace {
 // suffice, because any pair that is closer than the radius is a true contact.
 constexpr int kRounds = 4;
 // A corner moves at most this many times as far as the contact point, even if the other corners are pinned.
-constexpr float kMostLeverage = 10;
+constexpr float kMaxLeverage = 10;
 
 // How far the longest edge of a triangle is assumed to stretch within a step, as a factor.
-constexpr double kMostStretch = 1.25;
+constexpr double kMaxStretch = 1.25;
 
 using Shares = std::array<float, 3>;
 
@@ -116,7 +116,7 @@ void TriangleContacts::rebase(const Particles& particles, const CollisionScene& 
   const Vec3 center = (moving.box.low + moving.box.high) * 0.5;
   const double near = distance.of(moving.fastest);
   for (const Collider& collider : scene.colliders) {
-    if (groups_[group].longest <= kLeastEdge * collider.radius) continue;
+    if (groups_[group].longest <= kMinEdge * collider.radius) continue;
     if (distanceToAxis(center, collider) > collider.radius + near + 0.5 * moving.box.diagonal()) continue;
     addContacts(particles, collider, distance, group);
   }
@@ -126,7 +126,7 @@ void TriangleContacts::addContacts(const Particles& particles, const Collider& c
                                    const ContactDistance& distance, size_t group) {
   const ContactSurface surface = surfaceOf(collider);
   for (const auto& [corner, longest] : groups_[group].candidates) {
-    if (longest <= kLeastEdge * collider.radius) continue;
+    if (longest <= kMinEdge * collider.radius) continue;
     Contact contact = {corner, {}, {}, surface, 0};
     float heaviest = 0;
     double farthest = 0, fastest = 0;
@@ -141,7 +141,7 @@ void TriangleContacts::addContacts(const Particles& particles, const Collider& c
       fastest = std::max(fastest, double{dot3(q, q)});
     }
     const double near = distance.of(fastest);
-    contact.touchingDistance = static_cast<float>(collider.radius + kMostStretch * farthest);
+    contact.touchingDistance = static_cast<float>(collider.radius + kMaxStretch * farthest);
     if (heaviest > 0 && distanceToAxis(origin, collider) < collider.radius + near + farthest)
       contacts_[group].push_back(contact);
   }
@@ -170,7 +170,7 @@ void TriangleContacts::project(Particles& particles, float friction, size_t grou
       weight += moved * share[c];
       largest = std::max(largest, moved);
     }
-    weight = std::max(weight, largest / kMostLeverage);
+    weight = std::max(weight, largest / kMaxLeverage);
     for (int c = 0; c < 3 && weight > 0; ++c)
       motion[c]->q += splat(contact.weight[c] * share[c] / weight) * correction;
   }

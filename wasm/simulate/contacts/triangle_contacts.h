@@ -15,11 +15,11 @@ namespace limber {
 // fine one does. The point of a triangle that is nearest to the axis is moved onto the surface, with the same
 // friction as for a vertex (see Contacts); both corrections are distributed to the corners by the barycentric
 // coordinates of the point and their inverse masses. Only triangles whose longest edge at rest exceeds
-// kLeastEdge times the radius take part: the middle of smaller ones sinks in by less than 0.2 % of the
+// kMinEdge times the radius take part: the middle of smaller ones sinks in by less than 0.2 % of the
 // radius.
 class TriangleContacts {
  public:
-  static constexpr double kLeastEdge = 0.1;
+  static constexpr double kMinEdge = 0.1;
 
   // `mesh` at rest, in metres.
   TriangleContacts(const TriangleMesh& mesh, const Blocks& blocks);

@@ -17,7 +17,7 @@ namespace {
 // The smallest mass of a node, relative to the heaviest node of its cells, and the smallest filled fraction
 // from which the stiffness of a cell is computed, so that nodes at the rim of a sliver follow their
 // neighbours.
-constexpr double kLightest = 0.01, kLeastFilled = 0.01;
+constexpr double kLightest = 0.01, kMinFilled = 0.01;
 // A cell that is full to within this fraction has the matrix of a full cell.
 constexpr double kFull = 1e-9;
 
@@ -27,7 +27,7 @@ using CellMatrix = Hexahedron::Matrix;
 CellMeasure filledUp(const CellMeasure& filled) {
   const auto along = lagrangeIntegrals(1);
   CellMeasure measure = stiffnessMeasure(filled);
-  const double missing = std::max(0.0, kLeastFilled - filledFraction(measure));
+  const double missing = std::max(0.0, kMinFilled - filledFraction(measure));
   for (int q = 0; q < 27; ++q) measure[q] += missing * along[q % 3] * along[q / 3 % 3] * along[q / 9];
   return measure;
 }

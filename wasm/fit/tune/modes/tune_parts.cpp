@@ -13,7 +13,7 @@
 namespace limber {
 namespace {
 
-constexpr double kLeastShare = 1e-3;  // of the area of a body: smaller parts do not matter
+constexpr double kMinShare = 1e-3;  // of the area of a body: smaller parts do not matter
 
 struct ConnectedBody {
   const TriangleMesh& mesh;
@@ -33,7 +33,7 @@ ConnectedBody bodyOf(const TriangleMesh& mesh) {
   }
   const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
   for (uint32_t p = 0; p < areas.size(); ++p)
-    if (areas[p] >= kLeastShare * total) body.matters.push_back(p);
+    if (areas[p] >= kMinShare * total) body.matters.push_back(p);
   return body;
 }
 

@@ -8,7 +8,7 @@
 namespace limber {
 namespace {
 
-constexpr double kLeastShare = 0.1;  // of a vertex's share by area
+constexpr double kMinShare = 0.1;  // of a vertex's share by area
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::vector<double> carryMasses(const std::deque<PartPair>& pairs, const Triangl
     }
   }
   for (uint32_t v = 0; v < result.vertexCount(); ++v)
-    carried[v] = std::max(carried[v], kLeastShare * density * areas[v]);
+    carried[v] = std::max(carried[v], kMinShare * density * areas[v]);
   const double scale = total / std::accumulate(carried.begin(), carried.end(), 0.0);
   for (double& mass : carried) mass *= scale;
   return carried;

@@ -11,6 +11,6 @@ inline constexpr double kFactorRange = std::numbers::ln10;
 // The range is two standard deviations of the prior of a factor.
 inline constexpr double kPriorDeviation = kFactorRange / 2;
 // Squared residuals below this are errors of the eigensolver.
-inline constexpr double kLeastScatter = kRoughTolerance * kRoughTolerance;
+inline constexpr double kMinScatter = kRoughTolerance * kRoughTolerance;
 
 }  // namespace limber

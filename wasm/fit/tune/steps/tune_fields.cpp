@@ -151,7 +151,7 @@ VertexFields tuneFields(TuneProblem& problem, const TuneConstraints& constraints
     Eigen::MatrixXd gram = jacobian * columns;
     if (round == 0) variance = squares / 2 / std::max(gram.trace(), 1e-300);
     gram *= variance;
-    gram.diagonal().array() += std::max(squares / (2 * modes), kLeastScatter);
+    gram.diagonal().array() += std::max(squares / (2 * modes), kMinScatter);
     const Eigen::VectorXd wanted = problem.residuals() - jacobian * x;
     const Eigen::VectorXd next = -variance * columns * gram.ldlt().solve(wanted);
     const Eigen::VectorXd bounded = unknowns.bounded(next);

@@ -39,7 +39,7 @@ GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constrai
     if (!constraints.tunesStretch) jacobian.col(0).setZero();
     const Eigen::VectorXd residual = problem.residuals();
     const double scatter = residual.squaredNorm() / static_cast<double>(residual.size());
-    const double drawn = std::max(scatter, kLeastScatter) / (kPriorDeviation * kPriorDeviation);
+    const double drawn = std::max(scatter, kMinScatter) / (kPriorDeviation * kPriorDeviation);
     const Eigen::Matrix2d normal = jacobian.transpose() * jacobian + drawn * Eigen::Matrix2d::Identity();
     const Eigen::Vector2d gradient = jacobian.transpose() * residual + drawn * x;
     const Eigen::Vector2d next =

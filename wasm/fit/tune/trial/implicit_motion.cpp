@@ -6,7 +6,7 @@ namespace limber {
 namespace {
 
 // A step is divided into at most this many.
-constexpr int kMostParts = 16;
+constexpr int kMaxParts = 16;
 
 double inertiaOfBdf2(double step) {
   return 2.25 / (step * step);
@@ -105,7 +105,7 @@ std::optional<ImplicitMotion::Instant> ImplicitMotion::advancedInParts(int count
 bool ImplicitMotion::step(Job& job) {
   movePinsTo(1);
   std::optional<Instant> next = advanced({now_, former_ ? &*former_ : nullptr, options_.step}, job);
-  for (int parts = 2; !next && parts <= kMostParts; parts *= 2) next = advancedInParts(parts, job);
+  for (int parts = 2; !next && parts <= kMaxParts; parts *= 2) next = advancedInParts(parts, job);
   if (!next) return false;
   former_ = std::exchange(now_, std::move(*next));
   pinStarts_ = pinTargets_;

@@ -24,11 +24,11 @@ constexpr double kLooseTolerance = 1e-4;
 constexpr double kForcing = 0.01;
 // If Newton steps with a factorisation of an earlier time step contract by less than this, it is renewed.
 constexpr double kSlow = 0.1;
-constexpr int kMostIterations = 60;
+constexpr int kMaxIterations = 60;
 // Sufficient decrease of a line search (Nocedal and Wright 2006, ch. 3), the fraction by which it shortens a
 // step, and its most shortenings.
 constexpr double kDecrease = 1e-4, kShortening = 0.5;
-constexpr int kMostShortenings = 20;
+constexpr int kMaxShortenings = 20;
 // A step that is expected to decrease the objective by less than this fraction is not checked: such small
 // differences may be rounding errors.
 constexpr double kUnchecked = 1e-9;
@@ -37,7 +37,7 @@ constexpr double kUnchecked = 1e-9;
 constexpr double kDenseSpeed = 4;
 // Solves that are needed even with a fresh factorisation.
 constexpr int kFreeSolves = 3;
-constexpr int kLeastSolves = 20;     // before conjugate gradients give up
+constexpr int kMinSolves = 20;       // before conjugate gradients give up
 constexpr double kOtherInertia = 2;  // ratio above which a factorisation is renewed
 constexpr size_t kGrain = 1024;      // columns that a thread takes at once
 
@@ -119,7 +119,7 @@ Eigen::VectorXd StepMinimiser::newtonDirection(const Eigen::VectorXd& gradient, 
     ++solveCount_;
     return residual;
   };
-  const int most = std::max(kLeastSolves, static_cast<int>(price_));
+  const int most = std::max(kMinSolves, static_cast<int>(price_));
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(gradient.size()), residual = -gradient;
   Eigen::VectorXd towards = preconditioned(residual), search = towards;
   double size = residual.dot(towards);
@@ -150,7 +150,7 @@ Eigen::VectorXd StepMinimiser::newtonDirection(const Eigen::VectorXd& gradient, 
 double StepMinimiser::moveAlong(const StepObjective& objective, const Eigen::VectorXd& direction,
                                 double growth, Point& point) const {
   double fraction = 1;
-  for (int i = 0; i < kMostShortenings; ++i, fraction *= kShortening) {
+  for (int i = 0; i < kMaxShortenings; ++i, fraction *= kShortening) {
     Point moved = point;
     Eigen::Index unknown = 0;
     for (const uint32_t v : system_.free()) {
@@ -172,7 +172,7 @@ bool StepMinimiser::minimise(const StepObjective& objective, State& x, Job& job)
   Point point{x, valueAt(objective, x)};
   double former = 0;                   // length of the last full step, 0 if there was none
   bool isNear = false, isOwn = false;  // isOwn: the factorisation was made in this step
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     job.check();
     if (work() > mostWork_) return false;
     const Eigen::VectorXd gradient = linearise(objective, point.x, job);

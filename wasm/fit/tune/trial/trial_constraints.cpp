@@ -8,7 +8,7 @@ namespace {
 // The work limit of a body in a scene, see StepMinimiser::work: about 15 seconds on one thread. A sway of
 // 5,500 faces takes a tenth of it, and the fall of a sheet of 3,000 faces a half; a body that crumples under
 // its weight would never finish.
-constexpr double kMostWork = 2e10;
+constexpr double kMaxWork = 2e10;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ TrialDisplacements moveConstraints(const TrialRun& run, const SolverModel& model
   const bool hasHinges = model.bend != BendElement::CrossSprings;
   ImplicitMotion motion(
       {constraints, body.mesh, masses, body.factors, pins, hasHinges ? body.constants.stretch : 0},
-      {stride * scene.step, scene.motionSize, scene.gravity, kMostWork}, job);
+      {stride * scene.step, scene.motionSize, scene.gravity, kMaxWork}, job);
   motion.setVelocities(run.startVelocities());
   std::vector<Vec3> rest, displacements;
   for (const SurfacePoint& sample : samples)

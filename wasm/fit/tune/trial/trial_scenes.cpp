@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kPeriods = 1.5;
 constexpr uint32_t kStepsPerPeriod = 40;
-constexpr double kSwaySize = 0.04;   // of the diagonal, at the peak
-constexpr double kMostBorder = 0.5;  // of the diagonal: the border of a body with small holes
-constexpr double kGravity = 9.81;    // m/s2
+constexpr double kSwaySize = 0.04;  // of the diagonal, at the peak
+constexpr double kMaxBorder = 0.5;  // of the diagonal: the border of a body with small holes
+constexpr double kGravity = 9.81;   // m/s2
 
 double diagonalOf(const MovingBody& body) {
   return bounds(body.mesh).diagonal() * body.constants.unit;
@@ -95,7 +95,7 @@ bool isNearlyClosed(const TriangleMesh& mesh, const Topology& topology) {
   double border = 0;
   for (const Topology::Edge& edge : topology.edges)
     if (edge.useCount == 1) border += length(mesh.positions[edge.a] - mesh.positions[edge.b]);
-  return border < kMostBorder * bounds(mesh).diagonal();
+  return border < kMaxBorder * bounds(mesh).diagonal();
 }
 
 std::vector<TrialScene> trialScenes(const MovingBody& original, const SolverModel& model, Job& job) {
