@@ -4,8 +4,8 @@ import { linkSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:
 import { join } from 'node:path';
 import { UsageError } from '../failure';
 import { fileError } from '../file_error';
-import { isAtWork, thisProcess } from '../owner';
-import type { Owner } from '../owner';
+import { isAtWork, thisProcess } from '../output_files/owner';
+import type { Owner } from '../output_files/owner';
 
 /** Takes the lock of `folder`; a lock whose process has ended is taken over. Throws UsageError where another batch is at work. */
 export function takeLock(folder: string, out: string): () => void {

@@ -2,7 +2,7 @@
 
 import { readdirSync, rmSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
-import { isAtWork, thisProcess } from '../owner';
+import { isAtWork, thisProcess } from './owner';
 
 /** Letters of a name that its partial file keeps: a name can be as long as the system allows. */
 const KEPT_LETTERS = 40;
