@@ -208,6 +208,17 @@ describe('limber optimize', () => {
     expect(output!.faces).toBeLessThan(576);
   });
 
+  it('gives the faces of one body that stopped at the largest deviation, and counts the others', () => {
+    const twice = toObj(together(torus(), torus(30, 15))).split('\n');
+    const first = twice.findIndex((line) => line.startsWith('f')) + torus().triangles.length / 3;
+    twice.splice(first, 0, 'o other');
+    writeFileSync(path('rings.obj'), `o ring\n${twice.join('\n')}`);
+    const { stderr } = limber('optimize', 'rings.obj', 'few.glb', '--faces', '20', '--method', 'qem');
+    expect(stderr).toMatch(
+      /stopped at \d+ faces, [\d.]+ % of its diagonal from the original, and 1 other body stopped at that limit, too: the next/,
+    );
+  });
+
   it('accepts a smallest angle as the only target', () => {
     const words = 'optimize torus.obj round.glb --min-angle 25 --max-deviation 0 --json';
     const { code, stdout } = limber(...words.split(' '));

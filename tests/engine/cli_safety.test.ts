@@ -172,6 +172,9 @@ describe('exit codes', () => {
     const ofPreset = limber('optimize torus.obj a.glb --method qem --preset mobile --ratio 0.9');
     expect(ofPreset.code).toBe(0);
     expect(ofPreset.stderr).toContain('a_lod2.glb: torus stopped at');
+    const inside = limber('optimize torus.obj a.glb --method qem --lods 0.001 --lod-style nodes');
+    expect(inside.stderr).toContain('a.glb, level 1: torus stopped at');
+    expect(inside.stdout).toMatch(/\na\.glb, level 1: \d+ faces, /);
     const finer = limber(
       'optimize torus.obj a.glb --method qem --ratio 0.5 --lods 0.7,0.2 --max-deviation 0',
     );

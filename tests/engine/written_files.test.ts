@@ -20,7 +20,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { writeZip } from '../../web/engine/document/archive/write_zip';
 import { openModel } from '../../web/engine/document/open';
-import { lostIn } from '../../web/engine/document/write/lost';
+import { listLost, lostIn } from '../../web/engine/document/write/lost';
 import { writePly } from '../../web/engine/document/write/ply_file';
 import { writeObj } from '../../web/engine/document/write/obj_files';
 import { filesOf } from '../../web/library/models';
@@ -235,6 +235,12 @@ describe('what a format leaves out', () => {
     expect(lostIn('ply', { document })).toEqual([]);
     document.createExtension(KHRLightsPunctual);
     expect(lostIn('obj', { document })).toEqual(['extension KHR_lights_punctual']);
+  });
+
+  it('says "extensions" and "attributes" once in a list for a sentence', () => {
+    const lost = ['attribute _A', '1 skin', 'attribute _B', 'extension X'];
+    expect(listLost(lost)).toBe('1 skin, attributes _A, _B, extension X');
+    expect(listLost([])).toBe('');
   });
 
   it('names meshes of other scenes and of none', () => {

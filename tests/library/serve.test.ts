@@ -56,6 +56,9 @@ it('notes a target that is missed, as the command line warns of it, and knows se
   expect(await notesOf({ lods: [0.001] })).toEqual([
     expect.stringMatching(/^ring_lod1.glb: ring stopped at \d+ faces, /),
   ]);
+  expect(await notesOf({ lods: [0.001], lodStyle: 'msft' })).toEqual([
+    expect.stringMatching(/^ring.glb, level 1: ring stopped at \d+ faces, /),
+  ]);
 });
 
 it('notes what shapes of modes leave out', async () => {

@@ -6,6 +6,7 @@ import type { ModeSet } from '../engine/core/core';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { droppedByExport, exportGlb } from '../engine/document/export';
 import type { ExportedBody } from '../engine/document/export';
+import { listLost } from '../engine/document/write/lost';
 import { shapeTargets } from '../engine/document/shapes';
 import { modesReport } from '../engine/report/modes_report';
 import { startReport } from '../engine/report/report';
@@ -65,7 +66,7 @@ async function writeShapes(session: Session, file: FileRun, path: string): Promi
   });
   save(session, path, await exportGlb(model, shown, { fields: false }));
   const dropped = droppedByExport(model, true);
-  if (dropped.length > 0) warnings.push(`${shownOutput(path)} leaves out ${dropped.join(', ')}`);
+  if (dropped.length > 0) warnings.push(`${shownOutput(path)} leaves out ${listLost(dropped)}`);
 }
 
 function shapesOf(settings: Settings, prepared: PreparedBody, modes: ModeSet): ExportedBody {

@@ -3,6 +3,8 @@
 import { chosenBodies } from '../engine/body/selection';
 import { describeResiduals } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
+import { levelLabels } from '../engine/document/write/output_form';
+import { listLost } from '../engine/document/write/lost';
 import { passThrough } from '../engine/document/write/pass_through';
 import { describeEmpty } from '../engine/document/open';
 import { loadValidator } from '../engine/document/validate';
@@ -72,7 +74,7 @@ export async function optimizeModel(
   if (args.bind !== null) save(session, args.bind, output.binding());
   if (args.settingsFile !== null) save(session, args.settingsFile, output.settings());
   if (written.lost.length > 0)
-    session.warnings.push(`${shownOutput(path)} leaves out ${written.lost.join(', ')}`);
+    session.warnings.push(`${shownOutput(path)} leaves out ${listLost(written.lost)}`);
   const exportTime = lap();
   const levels = await writeLevels(args, output, (name, all) => {
     saveFiles(session, name, all, writeOutput);
@@ -122,7 +124,7 @@ export function finishOptimize(session: Session, { output, report, levels }: Opt
   const text = [
     summaryLine(args, output, report.timings.total),
     ...tuningLines(report),
-    ...levels.written.map((level) => levelLine(level.report)),
+    ...levels.written.map(({ report: own }, i) => levelLine(labelsOf(args)[i], own)),
   ].join('\n');
   session.warnings.push(...missed.unasked, ...(args.soft ? missed.asked : []));
   const told = [...(args.soft ? [] : missed.asked), ...(levels.failure ? [levels.failure.sentence] : [])];
@@ -131,10 +133,12 @@ export function finishOptimize(session: Session, { output, report, levels }: Opt
   return missed.asked.length === 0 || args.soft ? EXIT.done : EXIT.missedTarget;
 }
 
+const labelsOf = ({ operands, settings }: Arguments): string[] => levelLabels(operands[1], settings);
+
 /** The missed targets of a run, settings being flags. */
 export const missedOf = (args: Arguments, output: FileOutput, { written }: WrittenLevels): MissedTargets =>
   missedTargets(askedOf(args), output, {
-    levels: written.map(({ bodies, report: { file } }) => ({ file, bodies })),
+    levels: written.map(({ bodies }, i) => ({ file: labelsOf(args)[i], bodies })),
     nameOf: flagOf,
   });
 

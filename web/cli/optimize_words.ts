@@ -61,8 +61,9 @@ export const tuningLines = ({ fidelity }: Report): string[] =>
     describeTuning(solver as SolverName, report),
   );
 
-export function levelLine({ file, output, surface }: LevelReport): string {
+/** `label`: what the level is called. */
+export function levelLine(label: string, { output, surface }: LevelReport): string {
   const { hausdorff, mean } = surface;
   const deviation = `deviation ${hausdorff.toFixed(2)} % (mean ${mean.toFixed(2)} %)`;
-  return `${file}: ${grouped(output.faces)} faces, ${deviation}`;
+  return `${label}: ${grouped(output.faces)} faces, ${deviation}`;
 }

@@ -35,6 +35,7 @@ export interface TargetWords {
 
 /** A further level and why its bodies stopped. */
 export interface StoppedLevel {
+  /** its file, and where it is in it if the file has several */
   file: string;
   bodies: StoppedBody[];
 }
@@ -106,8 +107,10 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
   const [{ stopped, deviation, limit }] = [...guarded].sort((a, b) => b.deviation - a.deviation);
   const { name = '' } = stopped;
   const others =
-    guarded.length > 1 ? ` and ${counted(guarded.length - 1, 'other body', 'other bodies')}` : '';
-  return `${where}${name}${others} stopped at ${describeFaces([stopped])}, ${besideLimit(deviation, limit)} % of its diagonal from the original: the next collapses would exceed ${limit} %; ${nameOf('maxDeviation')} 0 lifts this limit`;
+    guarded.length > 1
+      ? `, and ${counted(guarded.length - 1, 'other body', 'other bodies')} stopped at that limit, too`
+      : '';
+  return `${where}${name} stopped at ${describeFaces([stopped])}, ${besideLimit(deviation, limit)} % of its diagonal from the original${others}: the next collapses would exceed ${limit} %; ${nameOf('maxDeviation')} 0 lifts this limit`;
 }
 
 /** The written faces, and those that count for targets if they are fewer. */

@@ -7,7 +7,8 @@ import type { OpenModel } from '../../engine/document/open';
 import type { Report } from '../../engine/report/report';
 import { SettingError } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
-import { levelNames, resultName } from '../../engine/document/write/output_form';
+import { listLost } from '../../engine/document/write/lost';
+import { levelLabels, levelNames, resultName } from '../../engine/document/write/output_form';
 import { FileOutput } from '../../engine/stages/file_output';
 import { runSettings } from '../../engine/stages/file_request';
 import type { FileRequest } from '../../engine/stages/file_request';
@@ -65,9 +66,10 @@ export async function optimizeModel(
   const bodies = options.wantsBodies ? writtenBodies(file, request) : [];
   const bindingFile = binding ? output.binding() : null;
   const settingsFile = settings.solver === 'none' ? null : output.settings();
-  if (lost.length > 0) notes.push(`the result leaves out ${lost.join(', ')}`);
+  if (lost.length > 0) notes.push(`the result leaves out ${listLost(lost)}`);
   const exportTime = session.lap();
-  const { levels, stopped } = await furtherLevels(output, levelNames(name, settings));
+  const { levels, bodies: ofLevels } = await furtherLevels(output, levelNames(name, settings));
+  const stopped = levelLabels(name, settings).map((file, i) => ({ file, bodies: ofLevels[i] }));
   if (validate) notes.push(...(await addedErrors({ files, levels }, source)));
   const levelsTime = session.lap();
   const report = output.report(
@@ -128,15 +130,15 @@ const writtenBodies = (file: FileRun, request: FileRequest): OptimizeReply['bodi
 async function furtherLevels(
   output: FileOutput,
   names: string[],
-): Promise<{ levels: Level[]; stopped: StoppedLevel[] }> {
-  const [levels, stopped]: [Level[], StoppedLevel[]] = [[], []];
+): Promise<{ levels: Level[]; bodies: StoppedLevel['bodies'][] }> {
+  const [levels, stopped]: [Level[], StoppedLevel['bodies'][]] = [[], []];
   for (const [i, file] of names.entries()) {
     const { files: written, bodies, report } = await output.level(i, file);
     const files = resultFiles(written);
     levels.push({ glb: files[0]?.bytes ?? null, files, report: { file, ...report } });
-    stopped.push({ file, bodies });
+    stopped.push(bodies);
   }
-  return { levels, stopped };
+  return { levels, bodies: stopped };
 }
 
 function optionsAsUsed(

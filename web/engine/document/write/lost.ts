@@ -71,6 +71,18 @@ export function lostIn(
   ];
 }
 
+/** What is lost as a list for a sentence, in which the words before the names of extensions and of attributes stand once. */
+export function listLost(lost: readonly string[]): string {
+  const named = (kind: string) => lost.filter((one) => one.startsWith(`${kind} `));
+  const once = (kind: string) => {
+    const names = named(kind).map((one) => one.slice(kind.length + 1));
+    return names.length > 1 ? [`${kind}s ${names.join(', ')}`] : named(kind);
+  };
+  const kinds = ['attribute', 'extension'];
+  const others = lost.filter((one) => !kinds.some((kind) => one.startsWith(`${kind} `)));
+  return [...others, ...kinds.flatMap(once)].join(', ');
+}
+
 /** Whether the scene has a mesh at a node that is not among these. */
 function showsOthers(scene: Scene, nodes: ReadonlySet<Node>): boolean {
   let shows = false;

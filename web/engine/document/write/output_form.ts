@@ -64,6 +64,15 @@ export const levelNames = (
   { lods, lodStyle }: { lods: readonly number[]; lodStyle: LevelStyle },
 ): string[] => lods.map((_, i) => (lodStyle === 'files' ? withSuffix(name, `_lod${i + 1}`) : name));
 
+/** What sentences call further levels: by their files, or by their places in the one file. */
+export const levelLabels = (
+  name: string,
+  settings: { lods: readonly number[]; lodStyle: LevelStyle },
+): string[] =>
+  levelNames(name, settings).map((file, i) =>
+    settings.lodStyle === 'files' ? file : `${file}, level ${i + 1}`,
+  );
+
 /**
  * The name of the result of a model that came under the name `input`: the base name of that, `model` where it has none, with the
  * ending of the format. `auto` is a GLB.
