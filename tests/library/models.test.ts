@@ -18,16 +18,30 @@ it('are files with a name and bytes; what is none is told by its number, and is 
 
 it('are documents only with a graph and a root of glTF-Transform', async () => {
   expect(isDocument(new Document())).toBe(true);
-  for (const other of [{ getRoot: () => {} }, { getRoot: () => {}, getGraph: () => {} }, null, 'chair.glb'])
-    await expect(filesOf(other as unknown as Model)).rejects.toThrow(/^There is no model: give /);
+  for (const other of [{ getRoot: () => {} }, { getRoot: () => {}, getGraph: () => {} }])
+    await expect(filesOf(other as unknown as Model)).rejects.toThrow(/^The model is an object: give /);
+});
+
+it('are no paths, and bytes without a name are those of a GLB', async () => {
+  await expect(filesOf('chair.glb' as unknown as Model)).rejects.toThrow(
+    'The model is "chair.glb": give a glTF-Transform Document, the bytes of a GLB, or files ',
+  );
+  await expect(filesOf(undefined as unknown as Model, 'second ')).rejects.toThrow(
+    'The second model is undefined: give ',
+  );
+  await expect(filesOf(new TextEncoder().encode('v 0 0 0'))).rejects.toThrow(
+    /^The bytes of the model do not start with "glTF", .*: give a model of another format with its name, /,
+  );
 });
 
 it('are bytes of another realm, too', async () => {
-  const bytes = runInNewContext('new Uint8Array([1, 2, 3])') as Uint8Array<ArrayBuffer>;
+  const bytes = runInNewContext('new Uint8Array([103, 108, 84, 70])') as Uint8Array<ArrayBuffer>;
   expect(bytes).not.toBeInstanceOf(Uint8Array);
   expect(await filesOf(bytes)).toEqual([{ name: 'model.glb', bytes }]);
   expect(await filesOf([{ name: 'a.obj', bytes }])).toEqual([{ name: 'a.obj', bytes }]);
-  expect(await filesOf(bytes.buffer)).toEqual([{ name: 'model.glb', bytes: new Uint8Array([1, 2, 3]) }]);
+  expect(await filesOf(bytes.buffer)).toEqual([
+    { name: 'model.glb', bytes: new Uint8Array([103, 108, 84, 70]) },
+  ]);
 });
 
 it('are documents without a buffer, which stay without', async () => {

@@ -135,7 +135,11 @@ describe('in Node', () => {
         null,
         'inspect does not take "ratio", which is no option: see the README of the package.',
       ],
-      model: ['LimberError', null, 'model.glb is not a usable GLB (it is cut off): export it again.'],
+      model: [
+        'LimberError',
+        null,
+        'The bytes of the model do not start with "glTF", as those of a GLB do: give a model of another format with its name, as in [{ name: "chair.obj", bytes }].',
+      ],
       before: 'stop before',
       running: 'stop at modes',
       waiting: ['stop waiting', true],

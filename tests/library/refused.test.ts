@@ -87,6 +87,24 @@ it.each<[CommandName, object, string, string | null]>([
     'settingsFile is not JSON: give the settingsFile that tune, or optimize with a solver, returns.',
     null,
   ],
+  [
+    'optimize',
+    { rato: 0.5 },
+    'optimize does not take "rato", which is no option: did you mean "ratio"?',
+    null,
+  ],
+  [
+    'optimize',
+    { 'max-deviation': 1 },
+    'optimize does not take "max-deviation", which is no option: did you mean "maxDeviation"?',
+    null,
+  ],
+  [
+    'inspect',
+    { wantsBody: true },
+    'inspect does not take "wantsBody", which is no option: see the README of the package.',
+    null,
+  ],
   ['optimize', { engine: 'young=1' }, 'engine needs a solver: name one of shell, ', 'engine'],
   ['simulate', { massRule: 'vertex' }, 'massRule needs a solver: name one of shell, ', 'massRule'],
   [

@@ -19,7 +19,7 @@ import { readBatchFlags } from './batch/flags';
 import type { BatchFlags } from './batch/flags';
 import { COMMAND_SPECS, COMMANDS, engineCommand, flagsOf, INPUT_FORMATS } from './flags';
 import type { Command, Flag } from './flags';
-import { nearest } from './nearest';
+import { nearest } from '../engine/core/nearest';
 
 export interface Arguments {
   command: Command;

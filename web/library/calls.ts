@@ -26,12 +26,12 @@ import type { CommandName, Commands } from './protocol';
 import { workQueue } from './work_queue';
 
 /**
- * Removes triangles where they matter least for how the bodies bend. A document is changed in place and must not be changed by
- * others meanwhile; of bytes or files the bytes of a GLB come back, equal to those of the command line under the same
- * settings. A document that was compressed is not any more: compress it again with a transform of glTF-Transform.
+ * Removes triangles where they matter least for how the bodies bend. A document is changed in place, and nothing else may change it
+ * until the call has ended. For bytes and files, the result has the bytes that the command line writes with the same settings. A
+ * document does not stay compressed: compress it again with a transform of glTF-Transform.
  *
- * Throws LimberError where the model or an option is not usable, and the signal's reason where it is aborted; the document is
- * then as it was.
+ * Rejects with LimberError if the model or an option cannot be used, and with the signal's reason if it is aborted; a document is
+ * then unchanged.
  */
 export function optimize(
   model: Document,
@@ -77,7 +77,7 @@ export function limber(options: OptimizeOptions = {}, run: RunOptions = {}) {
   return transforms.limber;
 }
 
-/** Finds the parameters of a solver with which `coarse`, any coarse mesh of the original, moves like it. */
+/** Finds the solver parameters with which `coarse`, any coarser mesh of `original`, moves like it. */
 export const tune: (
   original: Model,
   coarse: Model,
@@ -86,7 +86,7 @@ export const tune: (
 ) => Promise<TuneResult> = (original, coarse, options: Partial<TuneOptions> = {}, run = {}) =>
   work('tune', [original, coarse], options, run);
 
-/** Finds the frequencies at which the bodies deform by themselves. */
+/** Finds the natural frequencies of the bodies, and the modes in which they vibrate. */
 export const modes = (model: Model, options: ModesOptions = {}, run: RunOptions = {}): Promise<ModesResult> =>
   work('modes', [model], options, run);
 
@@ -98,7 +98,7 @@ export const compare = (
   run: RunOptions = {},
 ): Promise<Reported<CompareReport>> => work('compare', [original, other], options, run);
 
-/** Simulates the original and, unless it is null, another model: times per step, and the motion deviation. */
+/** Simulates the original and, unless it is null, another model. The report has the times per step and the motion deviation. */
 export function simulate(
   original: Model,
   other: Model,
@@ -127,8 +127,11 @@ export const inspect = (
   run: RunOptions = {},
 ): Promise<Reported> => work('inspect', [model], options, run);
 
-/** Ends the worker and frees its memory. The next call starts another. */
+/** Ends the worker and frees its memory. Calls that have not ended are rejected; the next call starts another worker. */
 export const close = (): void => workQueue().close();
+
+/** Of the models of a call with two. */
+const ORDINALS = ['first ', 'second '];
 
 async function work<Name extends CommandName>(
   command: Name,
@@ -141,5 +144,6 @@ async function work<Name extends CommandName>(
   // Signals of older browsers and of libraries have no throwIfAborted.
   if (run.signal?.aborted) throw run.signal.reason;
   // Queued at once, whatever the models take: calls are worked on in their order, and `close` ends all that were made.
-  return workQueue().run(command, Promise.all(models.map(filesOf)), options, run);
+  const files = models.map((model, i) => filesOf(model, models.length > 1 ? ORDINALS[i] : ''));
+  return workQueue().run(command, Promise.all(files), options, run);
 }

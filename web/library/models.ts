@@ -2,7 +2,9 @@
 
 import { Accessor, Format, Logger, PropertyType, WebIO } from '@gltf-transform/core';
 import type { Document, Extension, Primitive } from '@gltf-transform/core';
+import { quotedValue } from '../engine/core/words';
 import { replaceBodies } from '../engine/document/export';
+import { isGlb } from '../engine/document/glb';
 import { listUnused } from '../engine/document/prune';
 import { tangentGenerator } from '../engine/document/shading/tangents';
 import { rememberShared } from '../engine/document/write/shared_accessors';
@@ -21,15 +23,24 @@ export function isDocument(model: unknown): model is Document {
   return (model as Document).getRoot()?.propertyType === PropertyType.ROOT;
 }
 
-/** Throws LimberError where it is no model. */
-export async function filesOf(model: Model): Promise<ModelFiles> {
+/** Throws LimberError where it is no model. `which`: one of several, as "first ". */
+export async function filesOf(model: Model, which = ''): Promise<ModelFiles> {
   if (isDocument(model)) return filesOfDocument(model);
-  if (isBytes(model)) return [{ name: 'model.glb', bytes: model }];
-  if (isBuffer(model)) return [{ name: 'model.glb', bytes: new Uint8Array(model) }];
+  if (isBytes(model)) return [namelessFile(model)];
+  if (isBuffer(model)) return [namelessFile(new Uint8Array(model))];
   if (Array.isArray(model)) return (model as ModelFiles).map(checkedFile);
   throw new LimberError(
-    'There is no model: give a glTF-Transform Document, the bytes of a GLB, or files with name and bytes.',
+    `The ${which}model is ${quotedValue(model)}: give a glTF-Transform Document, the bytes of a GLB, or files with name and bytes.`,
   );
+}
+
+/** The file of bytes that came without a name. Throws LimberError where they are of another format than GLB. */
+function namelessFile(bytes: Uint8Array): ModelFiles[number] {
+  if (bytes.length > 0 && !isGlb(bytes))
+    throw new LimberError(
+      'The bytes of the model do not start with "glTF", as those of a GLB do: give a model of another format with its name, as in [{ name: "chair.obj", bytes }].',
+    );
+  return { name: 'model.glb', bytes };
 }
 
 /** Bytes may come from another realm: a frame, or the sandbox of a test runner. */

@@ -9,13 +9,13 @@ import type { FidelityReport } from '../engine/report/solver_report';
 import type { CommandSettings, SettingName } from '../engine/settings/options';
 import type { SolverName } from '../engine/solvers/profiles';
 
-/** A file by name; a name may have a path relative to the other files. */
+/** A file with its name, which may include a path relative to the other files. */
 export interface ModelFile {
   name: string;
   bytes: Uint8Array;
 }
 
-/** Bytes of a result in a buffer of their own, as Blob, fetch and others require. */
+/** Bytes of a result in a buffer of their own, which Blob, fetch and others accept. */
 export type ResultBytes = Uint8Array<ArrayBuffer>;
 
 /** A file of a result. */
@@ -24,26 +24,26 @@ export interface ResultFile extends ModelFile {
 }
 
 /**
- * A mesh to work on: a document of glTF-Transform, the bytes of a GLB, or a GLB, glTF, OBJ, STL, PLY or OFF file with the
- * files that it names, or a ZIP of these.
+ * A model to work on: a document of glTF-Transform, the bytes of a GLB, or a list of files: a GLB, glTF, OBJ, STL, PLY or OFF file
+ * with the files that it refers to, or a ZIP of these.
  */
 export type Model = Document | Uint8Array | ArrayBuffer | readonly ModelFile[];
 
-/** Settings by name, as in the table of the README without dashes (`strainWeight` is --strain-weight). */
+/** The settings of `limber inspect`; the README lists all settings by their flags. `maxDeviation` is --max-deviation. */
 export type InspectOptions = Partial<CommandSettings<'inspect'>>;
 
 export type CompareOptions = Partial<CommandSettings<'compare'>>;
 
 export interface OptimizeOptions extends Partial<CommandSettings<'optimize'>> {
-  /** the most faces that may be left, of the whole file */
+  /** the largest number of faces to keep, of the whole file */
   faces?: number;
-  /** the share of faces to keep, in (0, 1]; 0.5 without any other target */
+  /** the share of faces to keep, in (0, 1]; 0.5 if no other target is given */
   ratio?: number;
-  /** write strain and curvature as attributes _STRAIN and _CURVATURE */
+  /** whether to write strain and curvature as attributes _STRAIN and _CURVATURE */
   fields?: boolean;
-  /** find where each original vertex lies on the result; `binding` of the result has it */
+  /** whether to find where each original vertex lies on the result, and return it as `binding` */
   bind?: boolean;
-  /** whether the Khronos validator checks the files that are made, true by default; notes tell errors that the model has not */
+  /** whether to check the written files with the Khronos validator (default: true); errors that the model does not have are noted */
   validate?: boolean;
 }
 
@@ -52,16 +52,16 @@ export interface TuneOptions extends Partial<CommandSettings<'tune'>> {
 }
 
 export interface ModesOptions extends Partial<CommandSettings<'modes'>> {
-  /** write the modes as morph targets with an animation each; `shapes` of the result has the GLB */
+  /** whether to write the modes as morph targets, each with an animation, and return this GLB as `shapes` */
   writesShapes?: boolean;
 }
 
 export interface SimulateOptions extends Partial<CommandSettings<'simulate'>> {
-  /** the text of a binding file of `optimize`, which pins are carried over by; null, as of a result without one: none */
+  /** the `binding` that `optimize` has returned, by which pins are transferred to the other model; null: by closest points */
   binding?: string | null;
-  /** the text of a settings file of `optimize` or `tune`; null, as of a result without one: none */
+  /** the `settingsFile` that `optimize` or `tune` has returned, with which the other model is simulated; null: without one */
   settingsFile?: string | null;
-  /** write the motion as morph targets with an animation; `recording` of the result has the GLB */
+  /** whether to write the motion as morph targets with an animation, and return this GLB as `recording` */
   records?: boolean;
 }
 
@@ -78,20 +78,20 @@ export interface StageProgress {
 }
 
 export interface RunOptions {
-  /** Ends the work; the promise is rejected with its reason. */
+  /** Aborting it ends the work; the promise is then rejected with its reason. */
   signal?: AbortSignal;
   onProgress?: (progress: StageProgress) => void;
   /**
    * Browsers only: the address of a folder with the files of `limber/assets`, for pages whose content security policy
-   * forbids scripts and workers from blobs. It counts for later calls, too.
+   * forbids scripts and workers from blobs. It applies to later calls, too.
    */
   assets?: string | URL;
 }
 
 export interface Level {
-  /** the bytes of its first file; null where the level is in the file of the first (`lodStyle`) */
+  /** the bytes of its first file; null if the level is in the file of the result itself (`lodStyle`) */
   glb: ResultBytes | null;
-  /** all of its files, the first one first, under names of their own: NAME_lod1.glb and so on */
+  /** all of its files, `glb` first, under names of their own: NAME_lod1.glb and so on */
   files: ResultFile[];
   report: LevelReport;
 }
@@ -101,7 +101,7 @@ export interface FileLevel extends Level {
   glb: ResultBytes;
 }
 
-/** The result of a call with its report, in whose type the parts that are always present are not optional. */
+/** The report and the notes of a call. The type of the report requires the parts that the call always produces. */
 export interface Reported<OfCall extends Report = Report> {
   report: OfCall;
   /** notes on the run, as clauses: "164 seam vertices welded" */
@@ -125,19 +125,19 @@ export interface OptimizedDocument extends Optimized<FileLevel> {
 }
 
 export interface OptimizedGlb<OneLevel extends Level = Level> extends Optimized<OneLevel> {
-  /** the bytes that the command line writes under the same settings: the first file, of another format where `format` says so */
+  /** the bytes of the first file: a GLB unless `format` names another format */
   glb: ResultBytes;
   /**
-   * All files that are written, that one first; a glTF has a buffer and images, an OBJ its materials. They have the name of the
-   * model, `model` where it came without one, with the ending of the format. Those of the levels fit into the same folder.
+   * All files of the result, that one first: a glTF has a buffer and images, an OBJ has materials. They have the name of the model, or
+   * `model` if it came without one, with the extension of the format. Those of the levels fit into the same folder.
    */
   files: ResultFile[];
 }
 
-/** `fidelity` has the errors of the vibration, and none of solvers. */
+/** `fidelity` has the errors of the vibration, without those in solvers. */
 export type CompareReport = ReportWith<'output' | 'surface'> & { fidelity: Fidelity };
 
-/** `fidelity` has the errors in the solver alone. */
+/** `fidelity` has only the errors in the solver. */
 export type TuneReport = ReportWith<'output'> & { fidelity: Required<Pick<FidelityReport, 'solvers'>> };
 
 export interface TuneResult extends Reported<TuneReport> {
@@ -153,7 +153,7 @@ export interface ModesResult extends Reported<ModesReport> {
 
 export type SimulateReport = ReportWith<'simulation'>;
 
-/** Of two models. */
+/** The report on two models. */
 export type SimulatePairReport = SimulateReport &
   ReportWith<'output'> & {
     simulation: Required<Pick<SimulationReport, 'optimized' | 'speedup' | 'edgeRatio' | 'deviation'>>;
@@ -164,15 +164,15 @@ export interface SimulateResult<OfCall extends SimulateReport = SimulateReport> 
   recording: ResultBytes | null;
 }
 
-/** Bad input or an error inside; its message is one sentence that says what is wrong, where, and what to do. */
+/** Bad input or an internal error. Its message is one sentence that says what is wrong, where, and what to do. */
 export class LimberError extends Error {
   override readonly name = 'LimberError';
 
   constructor(
     message: string,
-    /** the setting that is refused; null where it is not a setting */
+    /** the setting that is refused; null if it is something else */
     readonly setting: SettingName | null = null,
-    /** whether the error is internal, which is worth a report */
+    /** whether the error is a bug in Limber; please report it */
     readonly isInternal = false,
   ) {
     super(message);

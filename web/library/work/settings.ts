@@ -1,6 +1,7 @@
 /** The options of a call as settings, checked. */
 
-import { quotedValue } from '../../engine/core/words';
+import { nearest } from '../../engine/core/nearest';
+import { excerpt, quotedValue } from '../../engine/core/words';
 import {
   checkSetting,
   checkSettings,
@@ -79,9 +80,17 @@ function checkSolver(command: Command, settings: Settings): void {
 function unknownOption(command: Command, name: string): Error {
   const isSetting = (SETTING_NAMES as readonly string[]).includes(name);
   const why = isSetting
-    ? 'is a setting of other calls: leave it out'
-    : 'is no option: see the README of the package';
-  return new Error(`${command} does not take "${name}", which ${why}.`);
+    ? 'is a setting of other calls: leave it out.'
+    : `is no option: ${adviceOn(command, name)}`;
+  return new Error(`${command} does not take "${excerpt(name)}", which ${why}`);
+}
+
+/** What was probably meant by the name of an option that does not exist: a flag of the command line, or another spelling. */
+function adviceOn(command: Command, name: string): string {
+  const settings = settingsOf(command);
+  const known = [...settings, ...Object.keys(OTHER_OPTIONS[command]).filter((one) => one !== 'wantsBodies')];
+  const meant = settings.find((setting) => OPTIONS[setting].flag === name) ?? nearest(name, known);
+  return meant === null ? 'see the README of the package.' : `did you mean "${meant}"?`;
 }
 
 /** The settings that a command takes, for its report; texts that are empty are left out. */
