@@ -2,7 +2,7 @@
 
 import { expose } from 'comlink';
 import { beforeEach, expect, it, vi } from 'vitest';
-import { drawnNoise } from '../../web/app/panels/simulate/simulate_axes';
+import { currentNoise, noiseEnd } from '../../web/app/panels/simulate/simulate_axes';
 import { checkConvergence, convergenceCheck } from '../../web/app/state/convergence';
 import { reset, simulationKey, startSimulations } from '../../web/app/state/simulation';
 import { changeSettings, results, status, view, wantedKey, wants } from '../../web/app/state/store';
@@ -102,12 +102,15 @@ it('a check whose program cannot be loaded says so', async () => {
   );
 });
 
-it('the noise floor that is told is that of the drawn curve, also where the last step did not measure it', () => {
+it('a noise floor that is measured no more is not told as the present one, but until when it was', () => {
   const sample = (time: number, noise: number | null) => ({ time, noise, mean: 1, max: 1 }) as never;
-  expect(drawnNoise([])).toBeNull();
-  expect(drawnNoise([sample(0, 0.2), sample(1, 0.3), sample(2, null)])).toBe(0.3);
+  expect([currentNoise([]), noiseEnd([])]).toEqual([null, null]);
+  const measured = [sample(0, 0.2), sample(1, 0.3)];
+  expect([currentNoise(measured), noiseEnd(measured)]).toEqual([0.3, null]);
+  const given = [...measured, sample(2, null)];
+  expect([currentNoise(given), noiseEnd(given)]).toEqual([null, 1]);
   // The chart has left it behind.
-  expect(drawnNoise([sample(0, 0.2), sample(11, null)])).toBeNull();
+  expect(noiseEnd([...given, sample(12, null)])).toBeNull();
 });
 
 it('the last frame keeps the scale of its colours while another result is made', () => {

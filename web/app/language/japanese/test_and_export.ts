@@ -87,7 +87,7 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Speed-up': '高速化',
   'same lattice': '中身が同じ',
   'too few faces': '面が少数',
-  'no noise floor': 'ノイズフロアなし',
+  ', until {time} s: it slowed the motion down': '({time} 秒まで: 動きが遅くなったため)',
   'noise {noise}': 'ノイズ {noise}',
   Stretch: '伸び',
   'optimized {stretch}': '最適化後 {stretch}',

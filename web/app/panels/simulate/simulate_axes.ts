@@ -31,8 +31,12 @@ export function axesOf(samples: TwinSample[]): Axes {
   return { start, span, high: roundUp(most) };
 }
 
-/** The noise floor at the end of the drawn curve, %; null if none is drawn. */
-export function drawnNoise(samples: TwinSample[]): number | null {
+/** The noise floor now, %; null if it is not measured, or not any more. */
+export const currentNoise = (samples: TwinSample[]): number | null => samples.at(-1)?.noise ?? null;
+
+/** When the last noise floor in the chart was measured, in seconds, if the motion has gone on without it; otherwise null. */
+export function noiseEnd(samples: TwinSample[]): number | null {
+  if (currentNoise(samples) !== null) return null;
   const start = startOf(samples);
-  return samples.findLast(({ time, noise }) => time >= start && noise !== null)?.noise ?? null;
+  return samples.findLast(({ time, noise }) => time >= start && noise !== null)?.time ?? null;
 }

@@ -3,7 +3,7 @@
 import type { TwinSample } from '../../../engine/motion/twin';
 import { twin } from '../../state/twin';
 import { fixed, percent } from '../../controls/numbers';
-import { axesOf, drawnNoise } from './simulate_axes';
+import { axesOf, currentNoise, noiseEnd } from './simulate_axes';
 import type { Axes } from './simulate_axes';
 import './simulate_chart.css';
 import { say } from '../../language/say';
@@ -18,7 +18,7 @@ export function DeviationChart() {
   const noise = shown.filter((sample) => sample.noise !== null);
   return (
     <figure class="chart">
-      <Caption hasNoise={noise.length > 0} />
+      <Caption hasNoise={noise.length > 0} noiseEnd={noiseEnd(samples)} />
       <div class="plot">
         <span class="high">{axes.high}</span>
         <span class="low">0</span>
@@ -40,7 +40,8 @@ export function DeviationChart() {
   );
 }
 
-function Caption({ hasNoise }: { hasNoise: boolean }) {
+/** `noiseEnd`: when the measurement of the noise floor was given up, in seconds; null: it was not. */
+function Caption({ hasNoise, noiseEnd }: { hasNoise: boolean; noiseEnd: number | null }) {
   return (
     <figcaption>
       <span>
@@ -49,6 +50,11 @@ function Caption({ hasNoise }: { hasNoise: boolean }) {
       {hasNoise && (
         <span title={say('The original compared with itself, with its constraints in another order')}>
           <span class="key noise" /> {say('Noise floor')}
+          {noiseEnd !== null && (
+            <span class="muted">
+              {say(', until {time} s: it slowed the motion down', { time: fixed(noiseEnd, 2) })}
+            </span>
+          )}
         </span>
       )}
       <span class="muted">{say('% of the diagonal')}</span>
@@ -75,7 +81,7 @@ function describe(samples: TwinSample[]): string {
   if (!last) return say('Deviation over time: nothing has moved yet.');
   const peak = samples.reduce((most, sample) => (sample.mean > most.mean ? sample : most));
   const mean = samples.reduce((sum, sample) => sum + sample.mean, 0) / samples.length;
-  const noise = drawnNoise(samples);
+  const noise = currentNoise(samples);
   const floor = noise === null ? '' : say('; noise floor {noise}', { noise: percent(noise) });
   return say(
     'Deviation after {time} s: now {now} of the diagonal, {mean} on average, at most {most} at {at} s{floor}.',

@@ -5,7 +5,7 @@ import { haveLattice, twin } from '../../state/twin';
 import { wants } from '../../state/store';
 import { figures, fixed, percent, shortTime } from '../../controls/numbers';
 import { Readout } from '../../controls/readout';
-import { drawnNoise } from './simulate_axes';
+import { currentNoise } from './simulate_axes';
 import { describeSpeedUp, speedUp } from './speed_up';
 import type { StepTimes } from './speed_up';
 import { say } from '../../language/say';
@@ -17,7 +17,7 @@ export function SimulateReadouts() {
   const frame = twin.numbers.value;
   const times = stepTimes(frame);
   const last = twin.samples.value.at(-1);
-  const noise = drawnNoise(twin.samples.value);
+  const noise = currentNoise(twin.samples.value);
   return (
     <dl class="readouts of-test" tabIndex={0}>
       <Readout
@@ -39,7 +39,7 @@ export function SimulateReadouts() {
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
-        note={last ? describeNoise(noise) : ''}
+        note={noise === null ? '' : say('noise {noise}', { noise: percent(noise) })}
         width="wide"
         phoneOrder={2}
       />
@@ -52,9 +52,6 @@ export function SimulateReadouts() {
     </dl>
   );
 }
-
-const describeNoise = (noise: number | null): string =>
-  noise === null ? say('no noise floor') : say('noise {noise}', { noise: percent(noise) });
 
 function describePace(frame: TwinFrame | null): string {
   if (!(twin.playing.value || frame?.playing)) return say('paused');
