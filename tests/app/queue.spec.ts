@@ -51,6 +51,15 @@ test('several files are a queue with one setting, in which a bad one fails alone
   }
 });
 
+test('of a queue whose first model is broken the next is opened, and the error is told', async ({ page }) => {
+  await page.goto('/');
+  await drop(page, writeScratch('a-broken.stl', 'solid nothing\nfacet'), ...models);
+  await expect(page.locator('.left .filename')).toHaveText('model-0.obj');
+  await expect(page.locator('.notice')).toContainText('a-broken.stl');
+  await expect(queue(page).locator('li.failed')).toContainText('a-broken.stl');
+  await expect(queue(page)).toContainText('1 failed and 3 not started');
+});
+
 test('a queue names the settings that are not the default', async ({ page }) => {
   await page.goto('/#compress=draco&seams=cross&max-deviation=0');
   await drop(page, ...models);

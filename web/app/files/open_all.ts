@@ -3,10 +3,10 @@
 import { describeConversion } from '../../engine/document/checks/other_formats';
 import { isModelName } from '../../engine/document/format_names';
 import type { SourceFile } from '../../engine/document/open';
-import { closeQueue, fillQueue } from '../state/queue/queue';
+import { closeQueue, failInQueue, fillQueue } from '../state/queue/queue';
 import { openFiles } from '../state/runner';
 import { client } from '../state/running';
-import { results } from '../state/store';
+import { results, status } from '../state/store';
 import { modelGroups } from '../state/queue/model_groups';
 import type { ModelGroup } from '../state/queue/model_groups';
 import { applySettings, isSettingsName } from './settings_file';
@@ -56,12 +56,17 @@ async function unpackedOf(files: SourceFile[]): Promise<SourceFile[]> {
   }
 }
 
-/** Opens the first model that can be used. */
+/** Opens the first model that can be used; the queue says why those before it cannot, and a notice repeats the first reason. */
 async function openFirst(groups: readonly ModelGroup[], leftOut: string | undefined): Promise<void> {
   const before = results.opened.value;
+  let problem: string | undefined;
   for (const { files } of groups) {
-    await openFiles(files, { leftOut });
+    await openFiles(files, { leftOut: leftOut ?? problem });
     if (results.opened.value !== before) return;
+    const { value: notice } = status.notice;
+    if (notice?.kind !== 'error') continue;
+    failInQueue(files, notice.text);
+    problem ??= notice.text;
   }
   if (!results.file.value) closeQueue();
 }

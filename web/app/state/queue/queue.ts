@@ -58,6 +58,12 @@ export function fillQueue(groups: readonly ModelGroup[]): void {
 export const isLinedUp = (files: SourceFile[]): boolean =>
   queue.value?.items.some((item) => item.files === files) ?? false;
 
+/** Marks the model of these files as one that cannot be used, and why. */
+export function failInQueue(files: SourceFile[], sentence: string): void {
+  const i = queue.value?.items.findIndex((item) => item.files === files) ?? -1;
+  if (i >= 0) updateItem(i, { state: 'failed', sentence });
+}
+
 export function closeQueue(): void {
   cancelQueue();
   queue.value = null;
