@@ -250,7 +250,9 @@ test('a limit that stops the slider is named and can be switched off, and so is 
   ).toBeVisible();
   // One limit binds, and box and share say where: those of the history end elsewhere.
   await expect(page.getByText(/^Stopped at/)).toHaveCount(1);
-  const stopped = (await page.getByText(/^stopped at [\d,]+$/).innerText()).split(' ')[2];
+  const stopped = (await page.getByText(/^stopped at [\d,]+: deviation limit$/).innerText()).split(
+    /[ :]+/,
+  )[2];
   await expect(readout(page, 'Faces')).toContainText(`→ ${stopped}`);
   const [all, kept] = [2 * 24 * 24, Number(stopped.replaceAll(',', ''))];
   await expect(page.locator('.scrubber .ratio')).toHaveText(`${((100 * kept) / all).toFixed(1)} %`);

@@ -2,6 +2,7 @@
 
 import { count, fixed } from '../../controls/numbers';
 import { NumberField } from '../../controls/number_field';
+import type { Refused } from '../../../engine/core/core';
 import { faceCount } from '../../../engine/core/mesh';
 import { keyOf } from '../../../engine/stages/stage';
 import { STAGES } from '../../../engine/stages/stages';
@@ -12,6 +13,7 @@ import {
   keepFaces,
   results,
   setOwnFaces,
+  shownFit,
   shownMesh,
   slider,
   wantedFaces,
@@ -73,13 +75,42 @@ function ExactFaces({ value, total, set }: { value: number; total: number; set(f
   return (
     <div class="exact">
       <NumberField aria-label={say('Kept faces, exact')} min={1} max={total} value={value} onEnter={set} />
-      {isLimited.value && !isSharing.value && (
-        <span class="stopped">
-          {say('stopped at {faces}', { faces: count(faceCount(shownMesh.value!.mesh)) })}
-        </span>
-      )}
+      <ShortReason />
     </div>
   );
+}
+
+/** Why there are not fewer faces, in a few words; the panel explains it. */
+function ShortReason() {
+  const { isReady, fewest, wanted } = slider.value;
+  const { value: fit } = shownFit;
+  if (isLimited.value && !isSharing.value) {
+    const faces = count(faceCount(shownMesh.value!.mesh));
+    const limit = fit?.frequency?.isBinding ? say('frequency limit') : say('deviation limit');
+    return <span class="stopped">{say('stopped at {faces}: {limit}', { faces, limit })}</span>;
+  }
+  if (!isReady || wanted > fewest) return null;
+  const obstacle = isSharing.value ? null : mainObstacle(results.history.value!.refused);
+  return (
+    <span class="stopped">
+      {obstacle ? say('fewest: {obstacle}', { obstacle: say(obstacle) }) : say('fewest possible')}
+    </span>
+  );
+}
+
+const OBSTACLES: Record<keyof Refused, string> = {
+  topology: 'parts or holes would change',
+  flip: 'faces would flip',
+  lock: 'seams, borders, locks',
+  angle: 'angle limit',
+  deviation: 'deviation limit',
+};
+
+/** What stops most of the edges that remain; null if none remains. */
+function mainObstacle(refused: Refused): string | null {
+  const names = Object.keys(OBSTACLES) as (keyof Refused)[];
+  const most = names.reduce((first, name) => (refused[name] > refused[first] ? name : first));
+  return refused[most] > 0 ? OBSTACLES[most] : null;
 }
 
 /** Labels closer than this share of the slider would overlap; `narrow`: in a narrow window. */
