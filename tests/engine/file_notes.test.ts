@@ -7,7 +7,7 @@ import { sentence } from '../../web/app/language/say';
 import { describeMissing } from '../../web/engine/document/checks/companions';
 import { describeFallbacks } from '../../web/engine/document/checks/fallback_images';
 import { withoutImageless } from '../../web/engine/document/checks/imageless';
-import { LeftOut } from '../../web/engine/document/formats/obj/left_out';
+import { Omissions } from '../../web/engine/document/formats/obj/omissions';
 import { readObj } from '../../web/engine/document/obj';
 
 beforeEach(() => {
@@ -26,23 +26,40 @@ function expectJapanese(notes: string[]): void {
   for (const note of notes) expect(sentence(note).replaceAll(NAMES, '')).not.toMatch(/[A-Za-z]{2}/);
 }
 
+test.each([
+  '1 material',
+  '2 materials with 1 texture',
+  '2 morph targets',
+  '1 camera',
+  '2 further scenes',
+  '1 primitive of points or lines',
+  'further sets of UVs (TEXCOORD_1)',
+  'attribute _WIND',
+  'extension KHR_lights_punctual',
+])('what a format cannot hold: %s', (note) => {
+  const words = sentence(note)
+    .replace('TEXCOORD_1', '')
+    .replace(/_WIND|KHR\w+|UV/, '');
+  expect(words).not.toMatch(/[a-z]/i);
+});
+
 test.each(['missing', 'format', 'heights', 'opacity', 'metal', 'undefined', 'library'] as const)(
   'materials of OBJ: %s',
   (kind) => {
-    const leftOut = new LeftOut();
-    leftOut.add(kind, 'a.png');
-    expectJapanese(leftOut.notes());
-    for (const name of 'bcdefg') leftOut.add(kind, `${name}.png`);
-    expectJapanese(leftOut.notes());
+    const omissions = new Omissions();
+    omissions.add(kind, 'a.png');
+    expectJapanese(omissions.notes());
+    for (const name of 'bcdefg') omissions.add(kind, `${name}.png`);
+    expectJapanese(omissions.notes());
   },
 );
 
 test.each([[['a.mtl']], [['a.mtl', 'b.mtl']], [['../a.mtl']], [['../a.mtl', 'b.mtl']]])(
   'libraries of OBJ that are not there: %s',
   (names) => {
-    const leftOut = new LeftOut();
-    leftOut.addMissingLibraries(names);
-    expectJapanese(leftOut.notes());
+    const omissions = new Omissions();
+    omissions.addMissingLibraries(names);
+    expectJapanese(omissions.notes());
   },
 );
 

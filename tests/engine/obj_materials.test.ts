@@ -422,6 +422,7 @@ describe('the result of a model with a library', () => {
       picture('my skin.png'),
     ]);
     expect(lostIn('obj', model)).toEqual([]);
+    expect(lostIn('ply', model)).toContain('1 material with 1 texture');
     const files = await write(model, 'b.obj');
     expect(files.map(({ name }) => name)).toEqual(['b.obj', 'a.mtl', 'my skin.png']);
     const text = new TextDecoder().decode(files[0].bytes);

@@ -41,7 +41,7 @@ interface Moved {
 }
 
 /** The field and displacement with which a mesh is shown. */
-interface Dress {
+interface Appearance {
   field: Field | null;
   shape: Float32Array | null;
 }
@@ -57,7 +57,7 @@ export class Pane {
   readonly stand = new Stand();
   /** the mesh that is drawn */
   mesh: TriangleMesh | null = null;
-  private readonly dress = new WeakMap<TriangleMesh, Dress>();
+  private readonly appearances = new WeakMap<TriangleMesh, Appearance>();
   private asked: TriangleMesh | null = null;
   private preparing: Promise<void> | null = null;
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
@@ -105,11 +105,11 @@ export class Pane {
 
   /** Field and shape belong to the mesh that was requested when they arrived, and wait for it. */
   private remember(): void {
-    if (this.asked) this.dress.set(this.asked, { field: this.field, shape: this.shape });
+    if (this.asked) this.appearances.set(this.asked, { field: this.field, shape: this.shape });
   }
 
-  private dressed(): Dress | null {
-    return (this.mesh && this.dress.get(this.mesh)) ?? null;
+  private appearance(): Appearance | null {
+    return (this.mesh && this.appearances.get(this.mesh)) ?? null;
   }
 
   /** Whether a requested mesh is not yet shown. */
@@ -182,7 +182,7 @@ export class Pane {
   /** Mesh, field and shape arrive in any order: a field or shape that does not fit the mesh waits for its own mesh. */
   private applyField(): void {
     const { mesh } = this;
-    const field = this.dressed()?.field ?? null;
+    const field = this.appearance()?.field ?? null;
     const size = field?.on === 'vertices' ? mesh?.positions.length : mesh?.triangles.length;
     const fits = field !== null && size === 3 * field.values.length;
     if (mesh) setField(this.body.geometry, mesh, fits ? field : null);
@@ -194,7 +194,7 @@ export class Pane {
   }
 
   private fittingShape(): Float32Array | null {
-    const shape = this.dressed()?.shape ?? null;
+    const shape = this.appearance()?.shape ?? null;
     return shape?.length === this.mesh?.positions.length ? shape : null;
   }
 

@@ -10,6 +10,34 @@ export const FILE_NOTES: MessageTable = {
   '{skins} and {animations}: the rest pose is used': '{skins}、{animations}: 静止時の姿勢を使用',
   'levels of detail: each keeps the same share of its faces, and the settings for when it is shown stay unchanged':
     'LOD: 各レベルの面を同じ割合で残し、切り替えの条件は変えません',
+  '{count} texture': 'テクスチャ {count}',
+  '{count} morph target': 'モーフターゲット {count}',
+  '{count} morph targets': 'モーフターゲット {count}',
+  '{count} camera': 'カメラ {count}',
+  '{count} cameras': 'カメラ {count}',
+  '{count} further scene': 'ほかのシーン {count}',
+  '{count} further scenes': 'ほかのシーン {count}',
+  '{count} mesh outside of the scene': 'シーン外のメッシュ {count}',
+  '{count} meshes outside of the scene': 'シーン外のメッシュ {count}',
+  '{count} primitive of points or lines': '点や線のプリミティブ {count}',
+  '{count} primitives of points or lines': '点や線のプリミティブ {count}',
+  'normals, which not all of its meshes have': '法線 (一部のメッシュにのみあるため)',
+  'UVs, which not all of its meshes have': 'UV (一部のメッシュにのみあるため)',
+  'vertex colours, which not all of its meshes have': '頂点カラー (一部のメッシュにのみあるため)',
+  'vertex colours, which not all parts of a mesh have': '頂点カラー (メッシュの一部にのみあるため)',
+  'opacity of vertex colours': '頂点カラーの不透明度',
+  tangents: '接線',
+  'further sets of vertex colours': '2 組目以降の頂点カラー',
+  'further sets of UVs ({names})': '2 組目以降の UV ({names})',
+  'metallic-roughness textures': 'メタリック・ラフネスのテクスチャ',
+  'occlusion textures': 'オクルージョンのテクスチャ',
+  '{name} (not in the folder of the input)': '{name} (入力のフォルダーにありません)',
+  'attribute {name}': '属性 {name}',
+  'extension {name}': '拡張 {name}',
+  '{count} material': 'マテリアル {count}',
+  '{count} materials': 'マテリアル {count}',
+  '{count} material with {textures}': 'マテリアル {count} ({textures})',
+  '{count} materials with {textures}': 'マテリアル {count} ({textures})',
   '{count} skin': 'スキン {count}',
   '{count} skins': 'スキン {count}',
   '{count} animation': 'アニメーション {count}',
@@ -53,7 +81,7 @@ export const FILE_NOTES: MessageTable = {
     'テクスチャ {count} 枚にある古いビューアー用の画像は除外されます',
   '{count} textures have a second image for older viewers, which is left out':
     'テクスチャ {count} 枚にある古いビューアー用の画像は除外されます',
-  // web/engine/document/formats/obj/left_out.ts
+  // web/engine/document/formats/obj/omissions.ts
   '{count} texture ({names}) left out, missing or outside the folder: put the pictures beside the model':
     'テクスチャ {count} 枚 ({names}) を除外: 見つからないか、フォルダーの外にあります。画像をモデルと同じ場所に置いてください',
   '{count} textures ({names}) left out, missing or outside the folder: put the pictures beside the model':

@@ -56,7 +56,7 @@ export function ExportPanel() {
       <PresetSection />
       <LevelsSection exported={exported} />
       <SolverSection report={exported?.report ?? null} />
-      <LeftOut dropped={exported?.lost ?? file.dropped} isKnown={exported !== null} />
+      <LossSection dropped={exported?.lost ?? file.dropped} isKnown={exported !== null} />
       {exported && <Verdict exported={exported} />}
       <Records exported={exported} />
     </aside>
@@ -99,7 +99,7 @@ const several = (number: number, one: string, other: string): string =>
   number > 0 ? sayCounted(number, one, other) : '';
 
 /** `isKnown`: whether the file has been written and checked, so that the list of losses is complete. */
-function LeftOut({ dropped, isKnown }: { dropped: string[]; isKnown: boolean }) {
+function LossSection({ dropped, isKnown }: { dropped: string[]; isKnown: boolean }) {
   return (
     <Section title="Left out">
       {dropped.length === 0 && (

@@ -61,7 +61,7 @@ export function lostIn(
     ...count(root.listCameras().length, 'camera'),
     ...lostAttributes(format, root),
     ...(format === 'ply'
-      ? count(materials.length, 'material')
+      ? lostMaterials(materials.length, root.listTextures().length)
       : [...new Set(materials.flatMap(unsupportedTextures))]),
     ...(keepsMaterials ? outside.map((name) => `${excerpt(name)} (not in the folder of the input)`) : []),
     ...root
@@ -81,6 +81,13 @@ export function listLost(lost: readonly string[]): string {
   const kinds = ['attribute', 'extension'];
   const others = lost.filter((one) => !kinds.some((kind) => one.startsWith(`${kind} `)));
   return [...others, ...kinds.flatMap(once)].join(', ');
+}
+
+/** "1 material with 1 texture": PLY has neither. */
+function lostMaterials(materials: number, textures: number): string[] {
+  if (materials === 0) return [];
+  const words = counted(materials, 'material');
+  return [textures === 0 ? words : `${words} with ${counted(textures, 'texture')}`];
 }
 
 /** Whether the scene has a mesh at a node that is not among these. */

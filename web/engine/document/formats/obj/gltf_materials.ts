@@ -1,7 +1,7 @@
 /** Converts MTL materials to glTF materials. docs/formats.md has the rules where the two differ, with their sources. */
 
 import type { Material, Texture } from '@gltf-transform/core';
-import type { LeftOut } from './left_out';
+import type { Omissions } from './omissions';
 import type { FoundMaterial } from './libraries';
 import type { MtlMaterial, Rgb } from './mtl';
 import type { MtlMap } from './mtl_map';
@@ -49,7 +49,7 @@ type Find = (use: MapUse) => FoundMap | null;
 export function applyMtl(
   material: Material,
   { material: mtl, library }: FoundMaterial,
-  { hasUvs, ...context }: { pictures: Pictures; leftOut: LeftOut; hasUvs: boolean },
+  { hasUvs, ...context }: { pictures: Pictures; omissions: Omissions; hasUvs: boolean },
 ): void {
   const find: Find = (use) => {
     const map = hasUvs ? mapOf(mtl, use) : null;
@@ -68,10 +68,10 @@ const mapOf = (mtl: MtlMaterial, use: MapUse): MtlMap | null =>
 interface Context {
   find: Find;
   pictures: Pictures;
-  leftOut: LeftOut;
+  omissions: Omissions;
 }
 
-function setBaseColour(material: Material, mtl: MtlMaterial, { find, pictures, leftOut }: Context): void {
+function setBaseColour(material: Material, mtl: MtlMaterial, { find, pictures, omissions }: Context): void {
   const colour = find('colour');
   const [red, green, blue] = tintOf(mtl.colours.get('kd') ?? WHITE, colour !== null);
   const alpha = opacityOf(mtl);
@@ -82,7 +82,7 @@ function setBaseColour(material: Material, mtl: MtlMaterial, { find, pictures, l
   }
   const opacity = find('opacity');
   const isInColour = opacity !== null && opacity.texture === colour?.texture && hasAlpha(opacity.texture);
-  if (opacity && !isInColour) leftOut.add('opacity', opacity.map.name);
+  if (opacity && !isInColour) omissions.add('opacity', opacity.map.name);
   if (alpha < 1 || isInColour) material.setAlphaMode('BLEND');
 }
 
@@ -103,7 +103,7 @@ const toUnit = (value: number): number => Math.min(1, Math.max(0, value));
 function setMetallicRoughness(
   material: Material,
   mtl: MtlMaterial,
-  { find, pictures, leftOut }: Context,
+  { find, pictures, omissions }: Context,
 ): void {
   const [roughness, metalness] = [find('roughness'), find('metalness')];
   const metallic = toUnit(mtl.numbers.get('pm') ?? 0);
@@ -115,7 +115,7 @@ function setMetallicRoughness(
     material.setRoughnessFactor(1).setMetallicFactor(isPacked ? 1 : 0);
     return;
   }
-  for (const shown of [roughness, metalness]) if (shown) leftOut.add('metal', shown.map.name);
+  for (const shown of [roughness, metalness]) if (shown) omissions.add('metal', shown.map.name);
   material.setRoughnessFactor(roughnessOf(mtl)).setMetallicFactor(metallic);
 }
 
@@ -149,11 +149,11 @@ function setNormalMap(material: Material, context: Context): void {
 }
 
 /** A bump map whose name says that it is a normal map. */
-function normalsAmongBumps({ find, leftOut }: Context): FoundMap | null {
+function normalsAmongBumps({ find, omissions }: Context): FoundMap | null {
   const shown = find('bumps');
   if (!shown) return null;
   const stem = shown.map.name.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
   if (NORMAL_NAME.test(stem)) return shown;
-  leftOut.add('heights', shown.map.name);
+  omissions.add('heights', shown.map.name);
   return null;
 }

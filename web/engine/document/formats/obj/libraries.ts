@@ -3,7 +3,7 @@
 import { isSentence } from '../../checks/reading_failure';
 import type { SourceFile } from '../../model';
 import { libraryPaths, MAX_LIBRARY_BYTES, namedLibraries } from './companion_paths';
-import type { LeftOut } from './left_out';
+import type { Omissions } from './omissions';
 import { readMtl } from './mtl';
 import type { MtlMaterial } from './mtl';
 import type { NamedFiles } from './named_files';
@@ -31,21 +31,21 @@ interface MaterialRequest {
 export function findMaterials(
   { main, statements, used }: MaterialRequest,
   files: NamedFiles,
-  leftOut: LeftOut,
+  omissions: Omissions,
 ): { found: Map<string, FoundMaterial>; unnamed: string | null } {
   const found = new Map<string, FoundMaterial>();
   const libraries = libraryPaths(main, statements).map((paths) => files.find(paths));
   for (const library of new Set(libraries)) {
     if (!library) continue;
-    for (const [name, material] of readLibrary(library, used, leftOut))
+    for (const [name, material] of readLibrary(library, used, omissions))
       if (!found.has(name)) found.set(name, { material, library: library.name });
   }
   const unknown = [...used].filter((name) => !found.has(name));
   // The last one may be missing, since nothing names it.
   const missing = namedLibraries(statements).filter((_, i) => libraries[i] === null);
-  if (unknown.length > 0) leftOut.addMissingLibraries(missing);
+  if (unknown.length > 0) omissions.addMissingLibraries(missing);
   if (missing.length === 0 && libraries.some((library) => library !== null))
-    for (const name of unknown) leftOut.add('undefined', name);
+    for (const name of unknown) omissions.add('undefined', name);
   const last = libraries[libraries.length - 1];
   const isUnnamed = last !== null && libraries.indexOf(last) === libraries.length - 1;
   const hasMaterials = [...found.values()].some(({ library }) => library === last?.name);
@@ -59,13 +59,13 @@ export function findMaterials(
 function readLibrary(
   library: SourceFile,
   used: ReadonlySet<string>,
-  leftOut: LeftOut,
+  omissions: Omissions,
 ): Map<string, MtlMaterial> {
   try {
     if (library.bytes.length <= MAX_LIBRARY_BYTES) return readMtl(library, used);
   } catch (error) {
     if (!isSentence(error)) throw error;
   }
-  leftOut.add('library', library.name);
+  omissions.add('library', library.name);
   return new Map();
 }

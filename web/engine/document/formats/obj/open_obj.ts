@@ -7,7 +7,7 @@ import { modelOfSurfaces, plainMaterial } from '../../surface';
 import type { MaterialMaker, SurfaceFile } from '../../surface';
 import { carriedFiles } from './carried';
 import { applyMtl, hasMaps } from './gltf_materials';
-import { LeftOut } from './left_out';
+import { Omissions } from './omissions';
 import { findMaterials } from './libraries';
 import type { FoundMaterial } from './libraries';
 import { NamedFiles } from './named_files';
@@ -17,17 +17,20 @@ import { Pictures } from './pictures';
 export function openObj(file: SourceFile, files: SourceFile[]): OpenModel {
   const surfaces = readObj(file);
   const { libraries: statements = [] } = surfaces;
-  const [named, leftOut] = [new NamedFiles(files), new LeftOut()];
+  const [named, omissions] = [new NamedFiles(files), new Omissions()];
   const asked = { main: file.name, statements, used: usedMaterials(surfaces) };
-  const { found, unnamed } = findMaterials(asked, named, leftOut);
+  const { found, unnamed } = findMaterials(asked, named, omissions);
   const model = modelOfSurfaces(file.name, 'obj', surfaces, (document) =>
-    materialMaker(document, found, { pictures: new Pictures(document, file.name, named, leftOut), leftOut }),
+    materialMaker(document, found, {
+      pictures: new Pictures(document, file.name, named, omissions),
+      omissions,
+    }),
   );
   const libraries = unnamed !== null && statements.length > 0 ? [...statements, unnamed] : statements;
   const { files: carried, outside } = carriedFiles(file.name, libraries, named);
   return {
     ...model,
-    notes: [...model.notes, ...leftOut.notes()],
+    notes: [...model.notes, ...omissions.notes()],
     libraries,
     carried,
     outside,
@@ -38,7 +41,7 @@ export function openObj(file: SourceFile, files: SourceFile[]): OpenModel {
 function materialMaker(
   document: Document,
   found: Map<string, FoundMaterial>,
-  context: { pictures: Pictures; leftOut: LeftOut },
+  context: { pictures: Pictures; omissions: Omissions },
 ): MaterialMaker {
   const made = new Map<string, Material>();
   return (name, hasUvs) => {

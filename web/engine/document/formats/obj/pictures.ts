@@ -8,7 +8,7 @@ import type { SourceFile } from '../../model';
 import { isJpeg } from '../jpeg_mark';
 import { isPng, pngChunks } from '../png_chunks';
 import { picturePaths } from './companion_paths';
-import type { LeftOut } from './left_out';
+import type { Omissions } from './omissions';
 import type { MtlMap } from './mtl_map';
 import type { NamedFiles } from './named_files';
 
@@ -25,14 +25,14 @@ export class Pictures {
     private readonly document: Document,
     private readonly main: string,
     private readonly files: NamedFiles,
-    private readonly leftOut: LeftOut,
+    private readonly omissions: Omissions,
   ) {}
 
   /** The texture of a file, made once; null, with a note, for files that are missing or of a format that glTF does not support. */
   textureOf(library: string, name: string): Texture | null {
     const file = this.files.find(picturePaths(this.main, library, name));
     if (!file) {
-      this.leftOut.add('missing', name);
+      this.omissions.add('missing', name);
       return null;
     }
     if (!this.textures.has(file)) this.textures.set(file, this.create(file));
@@ -59,7 +59,7 @@ export class Pictures {
   private create({ name, bytes }: SourceFile): Texture | null {
     const type = mimeTypeOf(bytes);
     if (type === null) {
-      this.leftOut.add('format', name);
+      this.omissions.add('format', name);
       return null;
     }
     return this.document

@@ -54,13 +54,13 @@ const KINDS = {
   },
 } as const satisfies Record<string, Kind>;
 
-export type LeftOutKind = keyof typeof KINDS;
+export type OmissionKind = keyof typeof KINDS;
 
-export class LeftOut {
-  private readonly names = new Map<LeftOutKind, Set<string>>();
+export class Omissions {
+  private readonly names = new Map<OmissionKind, Set<string>>();
   private missingLibraries: string[] = [];
 
-  add(kind: LeftOutKind, name: string): void {
+  add(kind: OmissionKind, name: string): void {
     if (!this.names.has(kind)) this.names.set(kind, new Set());
     this.names.get(kind)!.add(name);
   }
