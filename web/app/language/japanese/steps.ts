@@ -196,7 +196,7 @@ export const STEPS: MessageTable = {
   'deviation limit': 'ずれの制限',
   'frequency limit': '振動数の制限',
   'angle limit': '角度の制限',
-  'fewest: {obstacle}': '下限: {obstacle}',
+  'fewest: {reason}': '下限: {reason}',
   'fewest possible': 'これ以上減らせません',
   'parts or holes would change': '部品や穴が変わります',
   'faces would flip': '面が裏返ります',

@@ -90,15 +90,15 @@ function ShortReason() {
     return <span class="stopped">{say('stopped at {faces}: {limit}', { faces, limit })}</span>;
   }
   if (!isReady || wanted > fewest) return null;
-  const obstacle = isSharing.value ? null : mainObstacle(results.history.value!.refused);
+  const reason = isSharing.value ? null : mainRefusal(results.history.value!.refused);
   return (
     <span class="stopped">
-      {obstacle ? say('fewest: {obstacle}', { obstacle: say(obstacle) }) : say('fewest possible')}
+      {reason ? say('fewest: {reason}', { reason: say(reason) }) : say('fewest possible')}
     </span>
   );
 }
 
-const OBSTACLES: Record<keyof Refused, string> = {
+const REFUSALS: Record<keyof Refused, string> = {
   topology: 'parts or holes would change',
   flip: 'faces would flip',
   lock: 'seams, borders, locks',
@@ -107,10 +107,10 @@ const OBSTACLES: Record<keyof Refused, string> = {
 };
 
 /** What stops most of the edges that remain; null if none remains. */
-function mainObstacle(refused: Refused): string | null {
-  const names = Object.keys(OBSTACLES) as (keyof Refused)[];
+function mainRefusal(refused: Refused): string | null {
+  const names = Object.keys(REFUSALS) as (keyof Refused)[];
   const most = names.reduce((first, name) => (refused[name] > refused[first] ? name : first));
-  return refused[most] > 0 ? OBSTACLES[most] : null;
+  return refused[most] > 0 ? REFUSALS[most] : null;
 }
 
 /** Labels closer than this share of the slider would overlap; `narrow`: in a narrow window. */
