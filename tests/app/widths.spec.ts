@@ -1,7 +1,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
-import { drop, goTo, openPage, readout, writeScratch } from './page';
+import { drop, goTo, keptFaces, openPage, readout, writeScratch } from './page';
 import { standingTubes } from './scenes';
 
 const WINDOWS = [
@@ -219,6 +219,39 @@ test('read-outs of the Test step are seen whole in one row, and what is running 
     const stage = (await page.locator('.viewport canvas').boundingBox())!;
     expect(busy.y).toBeGreaterThanOrEqual(stage.y + stage.height);
   }
+});
+
+test('the settings of a step are shown from their top', async ({ page }) => {
+  await page.setViewportSize({ width: 1366, height: 600 });
+  await openPage(page);
+  await goTo(page, 'Reduce');
+  const panel = page.locator('.panel.right');
+  await expect(keptFaces(page)).toBeEnabled();
+  await panel.evaluate((box) => box.scrollTo(0, 9999));
+  expect(await panel.evaluate((box) => box.scrollTop)).toBeGreaterThan(0);
+  await goTo(page, 'Test');
+  await expect(panel).toContainText('Scenario');
+  expect(await panel.evaluate((box) => box.scrollTop)).toBe(0);
+});
+
+test('the gallery fades where it goes on, and not over its last card', async ({ page }) => {
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await openPage(page);
+  await goTo(page, 'Motion');
+  const gallery = page.locator('.gallery');
+  await expect(gallery.locator('.mode-card')).toHaveCount(12);
+  const fade = () =>
+    gallery.evaluate((list) => {
+      const { width } = getComputedStyle(list, '::after');
+      const right = Math.min(innerWidth, list.getBoundingClientRect().right);
+      const last = list.querySelector('.mode-card:last-of-type')!.getBoundingClientRect();
+      return { free: right - last.right, width: Number.parseFloat(width) };
+    });
+  expect((await fade()).free).toBeLessThan(0);
+  await gallery.evaluate((list) => list.scrollTo(9999, 0));
+  const { free, width } = await fade();
+  expect(width).toBeGreaterThan(0);
+  expect(free).toBeGreaterThanOrEqual(width);
 });
 
 test('the legend lies below the picture where it takes two rows', async ({ page }) => {
