@@ -53,10 +53,10 @@ export function ExportPanel() {
         <DragOut exported={exported} />
         <FormSection />
       </Section>
+      <LossSection dropped={exported?.lost ?? file.dropped} isKnown={exported !== null} />
       <PresetSection />
       <LevelsSection exported={exported} />
       <SolverSection report={exported?.report ?? null} />
-      <LossSection dropped={exported?.lost ?? file.dropped} isKnown={exported !== null} />
       {exported && <Verdict exported={exported} />}
       <Records exported={exported} />
     </aside>
