@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { facesChange } from '../../web/cli/words';
 import { besideLimit, excerpt, grouped, quotedJson } from '../../web/engine/core/words';
 
 describe('a whole number', () => {
@@ -6,6 +7,11 @@ describe('a whole number', () => {
     'is written as toLocaleString writes it: %d',
     (value) => expect(grouped(value)).toBe(value.toLocaleString('en-US')),
   );
+});
+
+it('has its noun in the plural only if it is not one', () => {
+  expect(facesChange(1800, 1200)).toBe('1,800 -> 1,200 faces (-33.3 %)');
+  expect(facesChange(800, 1)).toBe('800 -> 1 face (-99.9 %)');
 });
 
 it('has enough decimals beside a limit to tell the two apart', () => {

@@ -12,8 +12,8 @@ import type { FileOutput } from '../engine/stages/file_output';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
 import { shownName, shownOutput } from './standard';
-import { besideLimit, grouped } from '../engine/core/words';
-import { percent } from './words';
+import { besideLimit, counted } from '../engine/core/words';
+import { facesChange } from './words';
 
 export function summaryLine({ operands }: Arguments, output: FileOutput, seconds: number): string {
   const { before, after } = output.writtenFaces();
@@ -26,7 +26,7 @@ export function summaryLine({ operands }: Arguments, output: FileOutput, seconds
     broken.length === 0 ? 'topology kept' : `TOPOLOGY CHANGED (${[...new Set(broken)].join(', ')})`;
   const smallest = Math.min(...measured.map(({ quality }) => quality.minAngle));
   return [
-    `${shownName(operands[0])}: ${grouped(before)} -> ${grouped(after)} faces (${percent(after / before - 1)})`,
+    `${shownName(operands[0])}: ${facesChange(before, after)}`,
     topology,
     `deviation ${distance.hausdorff.toFixed(2)} % (mean ${distance.mean.toFixed(2)} %)`,
     `smallest angle ${smallest.toFixed(1)} deg`,
@@ -51,7 +51,7 @@ function fitWords(output: FileOutput): string[] {
 function frequencyWords({ frequency }: StopReport): string[] {
   if (!frequency) return [];
   const { error, limit, beyond } = frequency;
-  const less = beyond ? ` (${grouped(beyond.faces)} faces: ${besideLimit(beyond.error, limit)} %)` : '';
+  const less = beyond ? ` (${counted(beyond.faces, 'face')}: ${besideLimit(beyond.error, limit)} %)` : '';
   return [`frequencies within ${besideLimit(error, limit)} % of ${limit} %${less}`];
 }
 
@@ -65,5 +65,5 @@ export const tuningLines = ({ fidelity }: Report): string[] =>
 export function levelLine(label: string, { output, surface }: LevelReport): string {
   const { hausdorff, mean } = surface;
   const deviation = `deviation ${hausdorff.toFixed(2)} % (mean ${mean.toFixed(2)} %)`;
-  return `${label}: ${grouped(output.faces)} faces, ${deviation}`;
+  return `${label}: ${counted(output.faces, 'face')}, ${deviation}`;
 }

@@ -19,7 +19,7 @@ import { checkRoom, sizeOfModel } from './output_files/outputs';
 import { shownOutput, STANDARD } from './standard';
 import { clearProgress, showProgress } from './terminal';
 import { warningLines } from './warnings';
-import { grouped } from '../engine/core/words';
+import { counted } from '../engine/core/words';
 import { inOneLine, plain } from './words';
 
 export interface Session {
@@ -94,7 +94,7 @@ export function describeWritten({ written }: Pick<Session, 'written'>): string {
 export function prepareFile(session: Session, model: OpenModel): FileRun {
   const { args, core, warnings } = session;
   const onActivity = (body: string, triedFaces?: number): void => {
-    session.activity = triedFaces === undefined ? body : `${body}, trying ${grouped(triedFaces)} faces`;
+    session.activity = triedFaces === undefined ? body : `${body}, trying ${counted(triedFaces, 'face')}`;
   };
   const guides = args.command === 'optimize';
   const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), guides, onActivity });

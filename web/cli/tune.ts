@@ -21,7 +21,7 @@ import { settingsAsUsed } from './flags';
 import { finish, openFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
-import { grouped } from '../engine/core/words';
+import { counted, grouped } from '../engine/core/words';
 
 export async function runTune(args: Arguments): Promise<number> {
   const path = args.settingsFile!;
@@ -84,6 +84,6 @@ function checkFaces({ operands }: Arguments, { mesh, body }: PreparedBody, other
   if (after <= before) return;
   const [a, b] = operands.map((operand) => shownName(operand));
   throw new UsageError(
-    `"${body.name}" has ${grouped(before)} faces in ${a} and ${grouped(after)} in ${b}: name the original first.`,
+    `"${body.name}" has ${counted(before, 'face')} in ${a} and ${grouped(after)} in ${b}: name the original first.`,
   );
 }

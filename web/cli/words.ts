@@ -1,10 +1,16 @@
 /** Numbers and tables for people to read. */
 
+import { counted, grouped } from '../engine/core/words';
+
 /** A share as percent with its sign: "-50.0 %". */
 export function percent(share: number): string {
   const value = 100 * share;
   return `${value > 0 ? '+' : ''}${(Math.abs(value) < 0.05 ? 0 : value).toFixed(1)} %`;
 }
+
+/** What became of a number of faces: "800 -> 1 face (-99.9 %)". */
+export const facesChange = (before: number, after: number): string =>
+  `${grouped(before)} -> ${counted(after, 'face')} (${percent(after / before - 1)})`;
 
 /** Columns padded to their widest cell, the first to the left and the others to the right. */
 export function table(rows: string[][]): string {

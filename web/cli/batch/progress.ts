@@ -2,7 +2,7 @@
 
 import { canRedraw, redrawn } from '../terminal';
 import { grouped } from '../../engine/core/words';
-import { inOneLine, percent } from '../words';
+import { facesChange, inOneLine } from '../words';
 import type { AssetRecord } from './record';
 
 /** What progress is written to. */
@@ -83,7 +83,7 @@ export function describeRecord({ state, sentences, ...numbers }: AssetRecord): s
   const { facesBefore, facesAfter, deviation, seconds } = numbers;
   if (facesBefore === null || facesAfter === null) return sentences.join('; ');
   return [
-    `${grouped(facesBefore)} -> ${grouped(facesAfter)} faces (${percent(facesAfter / facesBefore - 1)})`,
+    facesChange(facesBefore, facesAfter),
     ...(deviation === null ? [] : [`deviation ${deviation.toFixed(2)} %`]),
     `${seconds.toFixed(1)} s`,
     ...(state === 'missed' ? [`missed a target: ${sentences[0]}`] : []),

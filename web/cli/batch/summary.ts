@@ -3,7 +3,7 @@
 import { VERSION } from '../../engine/core/version';
 import { counted, grouped } from '../../engine/core/words';
 import { isModelName } from '../../engine/document/format_names';
-import { percent } from '../words';
+import { facesChange } from '../words';
 import type { AssetRecord, AssetState } from './record';
 
 export const SUMMARY_SCHEMA = 'limber-summary/1';
@@ -69,9 +69,6 @@ export function describeTotals(totals: SummaryTotals): string {
     ...(missed > 0 ? [`${grouped(missed)} missed a target`] : []),
     ...(failed > 0 ? [`${grouped(failed)} failed`] : []),
   ];
-  const faces =
-    facesBefore > 0
-      ? `; ${grouped(facesBefore)} -> ${grouped(facesAfter)} faces (${percent(facesAfter / facesBefore - 1)})`
-      : '';
+  const faces = facesBefore > 0 ? `; ${facesChange(facesBefore, facesAfter)}` : '';
   return `${counted(assets, 'asset')}: ${parts.join(', ')}${faces}; ${seconds.toFixed(1)} s`;
 }

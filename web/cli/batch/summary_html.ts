@@ -1,7 +1,7 @@
 /** The summary as one HTML file without anything beside it: styles and pictures are inside, and there is no script. */
 
 import { VERSION } from '../../engine/core/version';
-import { grouped } from '../../engine/core/words';
+import { counted, grouped } from '../../engine/core/words';
 import { describeTotals, resultOf } from './summary';
 import type { Summary, SummaryRow } from './summary';
 
@@ -43,7 +43,7 @@ export function summaryHtml(
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
-<title>Batch of ${grouped(totals.assets)} assets</title>
+<title>Batch of ${counted(totals.assets, 'asset')}</title>
 <style>${STYLES}
 </style>
 </head>

@@ -76,7 +76,7 @@ function entryOf(bodies: BodySettings[], result: PreparedBody, unit: number): Bo
     return candidates[distances.indexOf(Math.min(...distances))];
   }
   throw new Error(
-    `The settings are not of "${body.name}" with ${faceCount(mesh)} faces: take those that were written with this file.`,
+    `The settings are not of "${body.name}" with ${counted(faceCount(mesh), 'face')}: take those that were written with this file.`,
   );
 }
 

@@ -117,7 +117,7 @@ function describeGuard(bodies: StoppedBody[], nameOf: TargetWords['nameOf'], whe
 function describeFaces(bodies: StoppedBody[]): string {
   const faces = sum(bodies.map((body) => body.faces));
   const duplicates = sum(bodies.map((body) => body.duplicates ?? 0));
-  const all = `${grouped(writtenFacesOf(bodies))} faces`;
+  const all = counted(writtenFacesOf(bodies), 'face');
   return duplicates > 0 ? `${all} (${grouped(faces)} without duplicates)` : all;
 }
 
