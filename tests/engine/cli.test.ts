@@ -17,7 +17,7 @@ import type { Report } from '../../web/engine/report/report';
 import { sum } from '../../web/engine/core/mesh';
 import { VERSION } from '../../web/engine/core/version';
 import { SQUARE_OBJ } from './support/files';
-import { readGlb } from './support/gltf';
+import { addMesh, glbFile, moveNode, primitiveOf, readGlb, startDocument } from './support/gltf';
 import { box, grid, toObj, torus } from './support/shapes';
 import { together } from './support/bodies';
 
@@ -524,7 +524,7 @@ describe('a wrong command line', () => {
     ['optimize torus.obj a.glb b.glb', '"b.glb" is one file too many: limber optimize IN OUT.'],
     [
       'optimize torus.obj a.stl',
-      'a.stl is not a .glb: GLB, glTF, OBJ, PLY and ZIP can be written, so give a name that ends in .glb, .gltf, .obj, .ply or .zip.',
+      'a.stl does not end in the name of a format that can be written: give a name that ends in .glb, .gltf, .obj, .ply or .zip.',
     ],
     ['optimize torus.obj none/a.glb', 'The folder none does not exist: create it first.'],
     ['optimize none.obj a.glb', 'none.obj cannot be read: there is no such file.'],
@@ -743,6 +743,16 @@ describe('limber compare', () => {
     expect(surface!.hausdorff).toBeLessThan(1e-4);
     expect(fidelity!.frequencyErrorMax).toBeLessThan(1e-4);
     expect(fidelity!.macMin).toBeGreaterThan(0.9999);
+  });
+
+  it('says which of the two models a warning is about', async () => {
+    const scene = startDocument();
+    addMesh(scene, 'ring', [primitiveOf(scene, torus())]);
+    moveNode(scene, scene.getRoot().listNodes()[0]);
+    writeFileSync(path('moved.glb'), (await glbFile(scene)).bytes);
+    const { stderr } = limber('compare', 'torus.obj', 'moved.glb');
+    expect(stderr).toBe('limber: moved.glb: 1 animation: the rest pose is used.\n');
+    expect(limber('inspect', 'moved.glb').stderr).toBe('limber: 1 animation: the rest pose is used.\n');
   });
 
   it('reports what an optimized mesh has lost', () => {

@@ -16,7 +16,7 @@ import { writeWhole } from './files';
 import { checkFiles } from './inputs';
 import type { CheckedFiles } from './inputs';
 import { checkRoom, sizeOfModel } from './output_files/outputs';
-import { shownOutput, STANDARD } from './standard';
+import { shownName, shownOutput, STANDARD } from './standard';
 import { clearProgress, showProgress } from './terminal';
 import { warningLines } from './warnings';
 import { counted } from '../engine/core/words';
@@ -54,17 +54,19 @@ export async function startSession(args: Arguments, host?: SessionHost): Promise
 
 /** Opens the model of an operand and makes sure that there is room for what comes of it. */
 export async function openFile(session: Session, path: string): Promise<OpenModel> {
-  return noted(session, await openModel(session.checked.files.get(path)!));
+  return noted(session, path, await openModel(session.checked.files.get(path)!));
 }
 
 /** As `openFile`, but a glTF without triangles opens as a model without bodies. */
 export async function openAnyFile(session: Session, path: string): Promise<OpenModel> {
-  return noted(session, await openAnyModel(session.checked.files.get(path)!));
+  return noted(session, path, await openAnyModel(session.checked.files.get(path)!));
 }
 
-function noted({ warnings, checked }: Session, model: OpenModel): OpenModel {
+/** Adds the notes on a model; where the command reads two, they say on which. */
+function noted({ warnings, checked }: Session, path: string, model: OpenModel): OpenModel {
   checkRoom(checked.outputs, sizeOfModel(model));
-  warnings.push(...model.notes);
+  const where = checked.files.size > 1 ? `${shownName(path)}: ` : '';
+  warnings.push(...model.notes.map((note) => `${where}${note}`));
   return model;
 }
 

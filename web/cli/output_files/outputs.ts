@@ -106,7 +106,7 @@ export function checkEndings(outputs: Output[], isFormatAsked: boolean): void {
       throw new UsageError(`${path} is not a .glb: give a name that ends in .glb.`);
     if (isAnyFormat && !isFormatAsked && formOfName(path, 'glb') === null)
       throw new UsageError(
-        `${path} is not a .glb: GLB, glTF, OBJ, PLY and ZIP can be written, so give a name that ends in .glb, .gltf, .obj, .ply or .zip.`,
+        `${path} does not end in the name of a format that can be written: give a name that ends in .glb, .gltf, .obj, .ply or .zip.`,
       );
   }
 }
