@@ -123,20 +123,22 @@ describe('the address of a companion', () => {
 });
 
 describe('a missing image', () => {
-  it.each(['skins/my%20skin.png', '../skin.jpg', 'https://example.org/skin.png'])(
-    'stays a reference to %s, and is said',
-    async (uri) => {
-      const model = await openModel(triangleAt('data.bin', uri));
-      expect(model.notes).toEqual([
-        `1 texture (${uri}) is missing or outside the folder: the result only refers to it`,
-      ]);
-      const bytes = await exportGlb(model, [null], { fields: false });
-      expect(jsonOf(bytes).images).toMatchObject([{ uri }]);
-      expect(await validateGlb(bytes)).toMatchObject({ errors: 0 });
-      const again = await openModel([{ name: 'out.glb', bytes }]);
-      expect(again.document.getRoot().listMaterials()[0].getBaseColorTexture()!.getURI()).toBe(uri);
-    },
-  );
+  it.each([
+    ['skins/my%20skin.png', 'skins/my skin.png'],
+    ['a%0Ab.png', 'a%0Ab.png'],
+    ['../skin.jpg', '../skin.jpg'],
+    ['https://example.org/skin.png', 'https://example.org/skin.png'],
+  ])('stays a reference to %s, and is said under the name %s', async (uri, name) => {
+    const model = await openModel(triangleAt('data.bin', uri));
+    expect(model.notes).toEqual([
+      `1 texture (${name}) is missing or outside the folder: the result only refers to it`,
+    ]);
+    const bytes = await exportGlb(model, [null], { fields: false });
+    expect(jsonOf(bytes).images).toMatchObject([{ uri }]);
+    expect(await validateGlb(bytes)).toMatchObject({ errors: 0 });
+    const again = await openModel([{ name: 'out.glb', bytes }]);
+    expect(again.document.getRoot().listMaterials()[0].getBaseColorTexture()!.getURI()).toBe(uri);
+  });
 
   it('is named with others up to five', async () => {
     const [main, data] = triangleAt('data.bin', 'a.png');

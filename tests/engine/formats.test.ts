@@ -407,7 +407,7 @@ describe('the name of a file', () => {
     expect(formOfName('a.txt', 'glb')).toBeNull();
     expect(outputForm('a.zip', 'obj.zip', 'glb')).toEqual({ format: 'obj', isZipped: true });
     expect(() => outputForm('a.glb', 'obj', 'glb')).toThrow(
-      'a.glb ends otherwise than .obj: give one of the two.',
+      'a.glb does not end in .obj, the format that is asked for: change the name or the format.',
     );
     expect(levelNames('a.b.gltf.zip', { lods: [0.5], lodStyle: 'files' })).toEqual(['a.b_lod1.gltf.zip']);
   });

@@ -188,7 +188,7 @@ describe('glTF', () => {
   it('names the companion files that are missing', async () => {
     const [main, buffer] = separateGltf();
     expect(await failureOf(() => openModel([main]))).toBe(
-      'model/test.gltf needs parts/my%20data.bin, which is missing: open the whole folder, or put the missing files beside it.',
+      'model/test.gltf needs parts/my data.bin, which is missing: open the whole folder, or put the missing files beside it.',
     );
     expect((await openModel([main, buffer])).notes).toEqual([
       '1 texture (skin.png) is missing or outside the folder: the result only refers to it',

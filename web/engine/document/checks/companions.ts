@@ -46,10 +46,14 @@ export function describeMissing(images: string[]): string[] {
   ];
 }
 
-function listed(names: string[]): string {
-  const more = names.length - NAMES_SHOWN;
-  return names.slice(0, NAMES_SHOWN).map(excerpt).join(', ') + (more > 0 ? ` and ${more} more` : '');
+function listed(addresses: string[]): string {
+  const more = addresses.length - NAMES_SHOWN;
+  return addresses.slice(0, NAMES_SHOWN).map(shownAddress).join(', ') + (more > 0 ? ` and ${more} more` : '');
 }
+
+/** The name of the file at an address, as a folder shows it; the address itself where that has control characters. */
+const shownAddress = (address: string): string =>
+  excerpt(/\p{Cc}/u.test(decoded(address)) ? address : decoded(address));
 
 /** Paths below the folder of the file, of the buffers and images that it names; others are not listed. */
 export function companionPaths({ buffers, images }: GLTF.IGLTF): string[] {

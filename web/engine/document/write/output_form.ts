@@ -42,7 +42,10 @@ export function outputForm(name: string, choice: FormatChoice, input: Format): O
   const isSame = !named || (named.format === chosen.format && named.isZipped === chosen.isZipped);
   // NAME.zip alone leaves open what it holds.
   const isFree = chosen.isZipped && /\.zip$/i.test(name) && !INSIDE.test(name);
-  if (!isSame && !isFree) throw new Error(`${name} ends otherwise than .${choice}: give one of the two.`);
+  if (!isSame && !isFree)
+    throw new Error(
+      `${name} does not end in .${choice}, the format that is asked for: change the name or the format.`,
+    );
   return chosen;
 }
 
