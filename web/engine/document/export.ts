@@ -104,6 +104,7 @@ export const additionsOf = (model: OpenModel, bodies: (ExportedBody | null)[]): 
   ...NO_ADDITIONS,
   foreign: model.foreign ?? null,
   textureTexts: model.textureTexts ?? null,
+  innerExtras: model.innerExtras ?? [],
   replaced: new Set(bodies.flatMap((exported) => (exported ? [exported.body.mesh] : []))),
 });
 

@@ -17,6 +17,7 @@ import {
 } from './checks/gltf_bounds';
 import { canBeCarried, foreignOf } from './extensions/foreign';
 import { restoreSkippedProperties } from './extensions/skipped_properties';
+import { innerExtrasOf } from './extensions/inner_extras';
 import { textureTextsOf } from './extensions/texture_texts';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { describeFallbacks, requireFormats } from './checks/fallback_images';
@@ -44,6 +45,7 @@ export async function openGltf(
   const stored = storedIn(jsonDocument.json);
   const foreign = foreignOf(jsonDocument.json);
   const textureTexts = textureTextsOf(jsonDocument.json);
+  const innerExtras = innerExtrasOf(jsonDocument.json);
   const { json, notes: imageless } = withoutImageless(inBase64(withKnownNames(jsonDocument.json)));
   // The reader refuses any required extension that it does not know, including those that can be carried over without it.
   const required = json.extensionsRequired?.filter((extension) => SUPPORTED_EXTENSIONS.has(extension));
@@ -74,6 +76,7 @@ export async function openGltf(
     stored,
     foreign,
     textureTexts,
+    innerExtras,
   };
 }
 

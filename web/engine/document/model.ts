@@ -2,6 +2,7 @@
 
 import type { Document } from '@gltf-transform/core';
 import type { Foreign } from './extensions/foreign';
+import type { InnerExtras } from './extensions/inner_extras';
 import type { TextureTexts } from './extensions/texture_texts';
 import type { Stored } from './write/compression';
 
@@ -74,6 +75,8 @@ export interface OpenModel {
   foreign?: Foreign | null;
   /** names and extras of textures, which its document cannot hold; null or absent: none */
   textureTexts?: TextureTexts | null;
+  /** extras that its document cannot hold; absent: none */
+  innerExtras?: InnerExtras[];
   /** names of the material libraries of an OBJ, which a written OBJ refers to again */
   libraries?: string[];
   /** these libraries and their pictures, under their paths from the folder of the OBJ: they are written beside a written OBJ */

@@ -4,6 +4,8 @@ import type { Document, GLTF, Texture } from '@gltf-transform/core';
 import { Format } from '@gltf-transform/core';
 import { carryForeign } from '../extensions/carry_foreign';
 import type { Foreign } from '../extensions/foreign';
+import { restoreInnerExtras } from '../extensions/inner_extras';
+import type { InnerExtras } from '../extensions/inner_extras';
 import { restoreTextureTexts } from '../extensions/texture_texts';
 import type { TextureTexts } from '../extensions/texture_texts';
 import { glbParts, withJson } from '../glb';
@@ -22,6 +24,7 @@ import { rememberTargetNames } from './target_names';
 export interface Additions {
   foreign: Foreign | null;
   textureTexts: TextureTexts | null;
+  innerExtras: InnerExtras[];
   /** numbers of the meshes whose primitives have new vertices */
   replaced: ReadonlySet<number>;
   /** meshopt under its ratified name */
@@ -34,6 +37,7 @@ export interface Additions {
 export const NO_ADDITIONS: Additions = {
   foreign: null,
   textureTexts: null,
+  innerExtras: [],
   replaced: new Set(),
   isRatified: false,
   keepsCorners: false,
@@ -102,12 +106,16 @@ export function gltfCompanions(document: Document, name: string): Companion[] {
   return [{ name: `${stem}.bin`, bytes: null }, ...imageFiles(document, stem)];
 }
 
-const hasAdditions = ({ foreign, textureTexts, isRatified, keepsCorners, levels }: Additions): boolean =>
-  foreign !== null || textureTexts !== null || isRatified || keepsCorners || levels.length > 0;
+const hasAdditions = (additions: Additions): boolean => {
+  const { foreign, textureTexts, innerExtras, isRatified, keepsCorners, levels } = additions;
+  const isAny = foreign !== null || textureTexts !== null || isRatified || keepsCorners;
+  return isAny || innerExtras.length > 0 || levels.length > 0;
+};
 
 function withAdditions(json: GLTF.IGLTF, additions: Additions): GLTF.IGLTF {
-  const { foreign, textureTexts, replaced, isRatified, keepsCorners, levels } = additions;
+  const { foreign, textureTexts, innerExtras, replaced, isRatified, keepsCorners, levels } = additions;
   if (textureTexts) restoreTextureTexts(json, textureTexts);
+  restoreInnerExtras(json, innerExtras);
   if (foreign) carryForeign(json, foreign, replaced);
   addLevels(json, levels);
   if (keepsCorners) namePackedInOrder(json);
