@@ -64,11 +64,11 @@ TEST(CompareMotion, stepsTwoBodiesTogetherAsItDoesOneByOne) {
   const TriangleMesh mesh = shapes::grid(6, 12, 0.5, 1);
   const MotionOptions options = swaying(mesh);
   const Pins pins = {options.pinned, {}};
-  RunningScenario alone(mesh, options.simulation, options.scenario, pins);
-  RunningScenario one(mesh, options.simulation, options.scenario, pins);
-  RunningScenario two(mesh, options.simulation, options.scenario, pins);
+  Job job;
+  RunningScenario alone({mesh, options.simulation, pins}, options.scenario, job);
+  RunningScenario one({mesh, options.simulation, pins}, options.scenario, job);
+  RunningScenario two({mesh, options.simulation, pins}, options.scenario, job);
   RunningScenario* const both[] = {&one, &two};
-  const Job job;
   for (int i = 0; i < 10; ++i) {
     alone.step(job);
     stepTogether(both, job);
@@ -83,8 +83,9 @@ TEST(CompareMotion, steppingTwoBodiesSideBySideGivesTheSameDeviationToTheLastBit
   const MotionOptions options = swaying(fine);
   Job job;
   const MotionComparison comparison = compareMotion(fine, &coarse, options, job);
-  RunningScenario one(fine, options.simulation, options.scenario, {options.pinned, {}});
-  RunningScenario two(coarse, options.simulation, options.scenario, carryPins(fine, options.pinned, coarse));
+  RunningScenario one({fine, options.simulation, {options.pinned, {}}}, options.scenario, job);
+  const Pins carried = carryPins(fine, options.pinned, coarse);
+  RunningScenario two({coarse, options.simulation, carried}, options.scenario, job);
   const MotionSamples onFine(fine, fine, one.simulation(), options.sampleCount);
   const MotionSamples onCoarse(fine, coarse, two.simulation(), options.sampleCount);
   RunningScenario* const both[] = {&one, &two};
@@ -118,7 +119,7 @@ TEST(CompareMotion, tellsHowFarTheOriginalIsFromItselfWithTwiceTheSubsteps) {
   std::vector<std::vector<Vec3>> runs;
   for (const int substeps : {20, 40}) {
     options.simulation.substeps = substeps;
-    RunningScenario body(fine, options.simulation, options.scenario, {options.pinned, {}});
+    RunningScenario body({fine, options.simulation, {options.pinned, {}}}, options.scenario, job);
     const MotionSamples samples(fine, fine, body.simulation(), options.sampleCount);
     runs.emplace_back();
     for (int step = 0; step < 30; ++step) {
@@ -208,10 +209,10 @@ TEST(CompareMotion, aMeshWithoutTrianglesIsRefusedWithASentence) {
 TEST(CompareMotion, aBodyThatDivergesIsRefusedWithASentence) {
   const TriangleMesh mesh = shapes::grid(6, 12, 0.5, 1);
   const MotionOptions options = swaying(mesh);
-  RunningScenario body(mesh, options.simulation, options.scenario, {options.pinned, {}});
+  Job job;
+  RunningScenario body({mesh, options.simulation, {options.pinned, {}}}, options.scenario, job);
   EXPECT_NO_THROW(body.requireNotDiverged());
   body.simulation().drag({mesh.triangleCount() - 1, {0, 0, 1}}, {1e4, 0, 0});
-  const Job job;
   for (int step = 0; step < 30 && !body.simulation().hasDiverged(); ++step) body.step(job);
   EXPECT_TRUE(body.simulation().hasDiverged());
   EXPECT_THROW(body.requireNotDiverged(), std::runtime_error);

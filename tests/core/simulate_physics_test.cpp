@@ -278,8 +278,8 @@ TEST(SimulatedPhysics, clothThatSlidesOffTheBallStaysOnTheFloor) {
   const Scenario drape = draping(cloth);
   SimulationOptions options = rubber(0.005, 20);
   options.friction = 0;
-  RunningScenario body(cloth, options, drape, {});
-  const Job job;
+  Job job;
+  RunningScenario body({cloth, options, {}}, drape, job);
   for (int i = 0; i < 240; ++i) body.step(job);
   const double ground = *collisionSceneOf(drape).ground;
   for (const Vec3& p : body.simulation().positions()) EXPECT_GT(p.y, ground - 1e-4);
@@ -405,8 +405,8 @@ TEST(SimulatedPhysics, closedPartsThatAreDroppedOnEachOtherStayApart) {
   ASSERT_TRUE(touchesItself(drop, both));
   EXPECT_FALSE(touchesItself(drop, shapes::grid(3, 3)));
   EXPECT_FALSE(touchesItself({scenarioKind("sway"), bounds(both), 2}, both));
-  RunningScenario body(both, rubber(0.02, 20), drop, {});
-  const Job job;
+  Job job;
+  RunningScenario body({both, rubber(0.02, 20), {}}, drop, job);
   const auto half = ball.vertexCount();
   double nearest = 1;
   for (int i = 0; i < 120; ++i) {

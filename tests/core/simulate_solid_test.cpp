@@ -91,7 +91,8 @@ TEST(SimulatedSolid, thinBodiesSwingWithTheFrequenciesOfTheSolidModes) {
 TEST(SimulatedSolid, theStiffnessOfEveryCellIsThatOfTheSolidModes) {
   // The energy of a small nonlinear deformation, compared with the quadratic form of the elements.
   const TriangleMesh mesh = shapes::torus(16, 10);
-  const LatticeBody body = latticeBody(mesh, {0.1, 0.1, 0.1}, rubber(20).material);
+  Job job;
+  const LatticeBody body = latticeBody(mesh, {0.1, 0.1, 0.1}, rubber(20).material, job);
   double least = 1;
   for (const CellRest& rest : body.rest) {
     const auto gradients = meanGradients(rest.size, rest.moments);
@@ -151,11 +152,11 @@ TEST(SimulatedSolid, aSpinningBodyKeepsSpinning) {
 // The torques on the axes of cells are balanced by their mean strain, so struck bodies do not start to spin.
 TEST(SimulatedSolid, aStruckBodyKeepsItsMomentumAndAngularMomentum) {
   const TriangleMesh mesh = shapes::torus(16, 10);
-  SolidState body(mesh, rubber(40), {});
+  Job job;
+  SolidState body(mesh, rubber(40), {}, job);
   body.setVelocities(struck(mesh, 1));
   const SolidMomentum before = solidMomentum(body);
   const double scale = body.mass() * bounds(mesh).diagonal();
-  const Job job;
   for (int i = 0; i < 60; ++i) body.step(job, nullptr);
   const SolidMomentum after = solidMomentum(body);
   EXPECT_LT(length(after.linear - before.linear) / scale, 1e-4);
@@ -448,6 +449,12 @@ TEST(SimulatedSolid, anOpenComponentWithoutAreaStaysWhereItIsBesideASolid) {
   EXPECT_EQ(body.velocity(ball.vertexCount()), Vec3{});
   EXPECT_NO_THROW(body.drag(point, {1, 1, 1}));
   EXPECT_THROW(Simulation(line, rubber(20)), std::invalid_argument);
+}
+
+TEST(SimulatedSolid, canBeCancelledWhileItsLatticeIsBuilt) {
+  Job job;
+  job.requestCancel();
+  EXPECT_THROW(Simulation(shapes::sphere(2), rubber(20), {}, job), Cancelled);
 }
 
 TEST(SimulatedSolid, unitsDoNotMatter) {

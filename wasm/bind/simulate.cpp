@@ -164,7 +164,7 @@ val jsStartSimulation(const val& meshIn, const val& originalIn, const val& in) {
   const Scenario scenario = scenarioOf(*original, in);
   const auto binding = bindingOf(*original, *mesh, in["binding"]);
   const Pins pins = carryPins(*original, pinnedOf(*original, scenario, in), *mesh, binding);
-  RunningScenario body(*mesh, simulationOptionsOf(in, *original), scenario, pins);
+  RunningScenario body({*mesh, simulationOptionsOf(in, *original), pins}, scenario, theJob);
   MotionSamples samples(*original, *mesh, body.simulation());
   running.emplace(++lastNumber, Running{std::move(body), std::move(samples), scenario.box.diagonal()});
   return val(lastNumber);

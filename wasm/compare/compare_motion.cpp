@@ -48,7 +48,7 @@ class ComparedRuns {
   void expect(double substeps) { expected_ += substeps; }
 
   Result run(const Body& body) {
-    RunningScenario running(body.mesh, body.options, options_.scenario, body.pins);
+    RunningScenario running({body.mesh, body.options, body.pins}, options_.scenario, job_);
     const Simulation& simulation = running.simulation();
     const MotionSamples samples(original_, body.mesh, simulation, sampleCount_);
     Result result;

@@ -17,14 +17,13 @@ SimulationOptions optionsIn(const Scenario& scenario, const TriangleMesh& mesh, 
 
 }  // namespace
 
-RunningScenario::RunningScenario(const TriangleMesh& mesh, const SimulationOptions& options,
-                                 const Scenario& scenario, const Pins& pins)
+RunningScenario::RunningScenario(const BodyAtRest& body, const Scenario& scenario, Job& job)
     : scenario_(scenario),
-      simulation_(posed(scenario, mesh), optionsIn(scenario, mesh, options), pins),
-      pins_(pins) {
-  for (const uint32_t v : pins.vertices) pinRest_.push_back(posed(scenario, mesh.positions[v]));
-  for (const SurfacePoint& point : pins.points) pinRest_.push_back(simulation_.position(point));
-  startScenario(scenario_, mesh.positions, simulation_);
+      simulation_(posed(scenario, body.mesh), optionsIn(scenario, body.mesh, body.options), body.pins, job),
+      pins_(body.pins) {
+  for (const uint32_t v : pins_.vertices) pinRest_.push_back(posed(scenario, body.mesh.positions[v]));
+  for (const SurfacePoint& point : pins_.points) pinRest_.push_back(simulation_.position(point));
+  startScenario(scenario_, body.mesh.positions, simulation_);
 }
 
 void RunningScenario::step(const Job& job, Helpers* helpers) {

@@ -10,12 +10,18 @@
 
 namespace limber {
 
+// A body at rest. Holds references.
+struct BodyAtRest {
+  const TriangleMesh& mesh;
+  const SimulationOptions& options;
+  const Pins& pins;
+};
+
 // The run of one body through a scenario: a Simulation with the clock, pins and loads of the scenario.
 class RunningScenario {
  public:
-  // Throws std::invalid_argument as Simulation does.
-  RunningScenario(const TriangleMesh& mesh, const SimulationOptions& options, const Scenario& scenario,
-                  const Pins& pins);
+  // Throws std::invalid_argument and Cancelled as Simulation does.
+  RunningScenario(const BodyAtRest& body, const Scenario& scenario, Job& job);
 
   // Advances by one step of 1/60 s. Throws Cancelled, after which the body must not be used any more. A step
   // does not throw if the body has diverged: call `requireNotDiverged`.

@@ -78,15 +78,22 @@ void requirePins(const TriangleMesh& mesh, const Pins& pins) {
 
 }  // namespace
 
-Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins) {
+Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins,
+                       Job& job) {
   requireOptions(options);
   requireSolverOf(options, mesh);
   requirePins(mesh, pins);
   if (options.model == SimulationModel::Solid && !options.solver)
-    solid_ = std::make_unique<SolidSimulation<Simulation>>(mesh, options, pins);
+    solid_ = std::make_unique<SolidSimulation<Simulation>>(mesh, options, pins, job);
   else
     state_ = std::make_unique<SimulationState>(mesh, options, pins);
 }
+
+Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins) {
+  Job job;
+  *this = Simulation(mesh, options, pins, job);
+}
+
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

@@ -26,7 +26,10 @@ class Simulation {
   static constexpr double kStep = kStepSeconds;
 
   // Starts at rest in the shape of the mesh. Throws std::invalid_argument with a sentence for an option out
-  // of range, for a mesh without area, and for a pin that the mesh does not have.
+  // of range, for a mesh without area, and for a pin that the mesh does not have. Throws Cancelled while the
+  // lattice of a solid is built.
+  Simulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins, Job& job);
+  // The same, not cancellable.
   Simulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;

@@ -18,6 +18,7 @@ namespace {
 // from which the stiffness of a cell is computed, so that nodes at the rim of a sliver follow their
 // neighbours.
 constexpr double kLightest = 0.01, kMinFilled = 0.01;
+constexpr uint32_t kCheckInterval = 256;  // cells between two checks for cancellation
 // A cell that is full to within this fraction has the matrix of a full cell.
 constexpr double kFull = 1e-9;
 
@@ -105,12 +106,11 @@ void raiseLightMasses(const Lattice& lattice, std::vector<double>& masses) {
 // Appends the lattices of parts to a body.
 class LatticeBodyBuilder {
  public:
-  LatticeBodyBuilder(LatticeBody& body, const ElasticMaterial& material, const Vec3& cellSize)
-      : body_(body), material_(material), cellSize_(cellSize) {}
+  LatticeBodyBuilder(LatticeBody& body, const ElasticMaterial& material, const Vec3& cellSize, Job& job)
+      : body_(body), material_(material), cellSize_(cellSize), job_(job) {}
 
   void append(const MeshParts::Part& part) {
-    Job job;
-    const Lattice lattice = buildLattice(part.mesh, cellSize_, job);
+    const Lattice lattice = buildLattice(part.mesh, cellSize_, job_);
     firstNode_ = static_cast<uint32_t>(body_.nodes.size());
     firstCell_ = static_cast<uint32_t>(body_.cells.size());
     appendNodes(lattice);
@@ -144,6 +144,7 @@ class LatticeBodyBuilder {
     const Hexahedron brick(lattice.grid.size, material_.poisson);
     uint32_t full = kNone;
     for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
+      if (copy % kCheckInterval == 0) job_.check();
       std::array<uint32_t, 8> nodes;
       for (int k = 0; k < 8; ++k) nodes[k] = firstNode_ + lattice.copyNodes[8 * copy + k];
       body_.cells.push_back(nodes);
@@ -160,6 +161,7 @@ class LatticeBodyBuilder {
   LatticeBody& body_;
   const ElasticMaterial& material_;
   const Vec3& cellSize_;
+  Job& job_;
   uint32_t firstNode_ = 0, firstCell_ = 0;
 };
 
@@ -177,7 +179,8 @@ std::array<Vec3, 8> meanGradients(const Vec3& size, const std::array<double, 6>&
   return gradients;
 }
 
-LatticeBody latticeBody(const TriangleMesh& solids, const Vec3& cellSize, const ElasticMaterial& material) {
+LatticeBody latticeBody(const TriangleMesh& solids, const Vec3& cellSize, const ElasticMaterial& material,
+                        Job& job) {
   const Topology topology = buildTopology(solids);
   const std::vector<uint32_t> hosts = solidHosts(solids, topology);
   std::vector<uint32_t> partOfVertex;
@@ -185,7 +188,7 @@ LatticeBody latticeBody(const TriangleMesh& solids, const Vec3& cellSize, const 
   const MeshParts parts = splitMesh(solids, partOfVertex, topology.componentCount);
   LatticeBody body;
   body.vertices.resize(solids.vertexCount());
-  LatticeBodyBuilder builder(body, material, cellSize);
+  LatticeBodyBuilder builder(body, material, cellSize, job);
   for (const MeshParts::Part& part : parts.parts)
     if (part.mesh.triangleCount()) builder.append(part);
   return body;

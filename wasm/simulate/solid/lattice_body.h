@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/job.h"
 #include "elastic/material.h"
 #include "mesh/triangle_mesh.h"
 
@@ -58,8 +59,9 @@ struct LatticeBody {
 // open. `cellSize` is in units of the mesh; see latticeGrid. At rest the stiffness is that of the solid modes
 // (elastic/solid/solid.h): each cell's matrix is split into that of its mean strain and a remainder, which
 // acts only on its hourglass amplitudes. Masses are those of the solid modes too, except that light nodes get
-// at least a share of their neighbours' mass, because in motion every node needs some.
-LatticeBody latticeBody(const TriangleMesh& solids, const Vec3& cellSize, const ElasticMaterial& material);
+// at least a share of their neighbours' mass, because in motion every node needs some. Throws Cancelled.
+LatticeBody latticeBody(const TriangleMesh& solids, const Vec3& cellSize, const ElasticMaterial& material,
+                        Job& job);
 
 // The cell size for a body and for all bodies that it is compared with: it gives about as many cells as the
 // solid modes use. `mesh` may have open components, which do not count. 0 if no component is closed.

@@ -17,15 +17,15 @@ namespace limber {
 template <class Sheets>
 class SolidSimulation {
  public:
-  SolidSimulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins)
+  SolidSimulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins, Job& job)
       : split_(mesh), unit_(options.material.unit) {
     split_.splitPins(pins);
     SimulationOptions asShell = options;
     asShell.model = SimulationModel::Shell;
     if (split_.sheets.vertexCount() && (split_.sheetArea > 0 || split_.solids.vertexCount() == 0))
-      sheets_ = std::make_unique<Sheets>(split_.sheets, asShell, split_.sheetPins);
+      sheets_ = std::make_unique<Sheets>(split_.sheets, asShell, split_.sheetPins, job);
     if (split_.solids.vertexCount())
-      solids_ = std::make_unique<SolidState>(split_.solids, options, split_.solidPins);
+      solids_ = std::make_unique<SolidState>(split_.solids, options, split_.solidPins, job);
   }
 
   void step(const Job& job, Helpers* helpers) {

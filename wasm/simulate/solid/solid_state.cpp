@@ -35,7 +35,7 @@ void renumber(LatticeBody& body) {
 
 }  // namespace
 
-SolidState::SolidState(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins)
+SolidState::SolidState(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins, Job& job)
     : options_(options),
       surface_(mesh),
       drawn_(mesh.triangles),
@@ -44,11 +44,13 @@ SolidState::SolidState(const TriangleMesh& mesh, const SimulationOptions& option
       pinnedVertices_(pins.vertices),
       restDiagonal_(bounds(mesh).diagonal() * options.material.unit),
       substep_(kStepSeconds / options.substeps) {
-  makeBody();
+  makeBody(job);
   makeParticles();
+  job.check();
   cells_.emplace(body_, particles_,
                  CellConstraints::Options{options.material.young, options.material.poisson, blocks_, substep_,
                                           options.order});
+  job.check();
   contacts_.emplace(body_, blocks_);
   makePins();
   makeSchedule();
@@ -56,7 +58,7 @@ SolidState::SolidState(const TriangleMesh& mesh, const SimulationOptions& option
 
 // Pinned faces are refined down to the size of a cell, so that they are pinned everywhere, and then all
 // faces, so that contacts are found everywhere on the surface.
-void SolidState::makeBody() {
+void SolidState::makeBody(Job& job) {
   const Vec3 cell = squaredLength(options_.cellSize) > 0 ? options_.cellSize : solidCellSize(surface_);
   refinePinnedFaces(surface_, pinnedVertices_, longestSide(cell), &pinnedParents_);
   std::vector<uint32_t> pinOf(surface_.vertexCount(), kNone);
@@ -68,7 +70,8 @@ void SolidState::makeBody() {
   std::vector<uint32_t> all(surface_.vertexCount());
   std::iota(all.begin(), all.end(), 0u);
   refinePinnedFaces(surface_, all, longestSide(cell));
-  body_ = latticeBody(surface_, cell, options_.material);
+  job.check();
+  body_ = latticeBody(surface_, cell, options_.material, job);
   const auto nodeCount = static_cast<uint32_t>(body_.nodes.size());
   const uint32_t blockCount = blockCountOf(nodeCount, kBlocksOfNodes);
   if (blockCount > 1) renumber(body_);

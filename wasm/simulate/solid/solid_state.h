@@ -24,7 +24,7 @@ namespace limber {
 class SolidState {
  public:
   // Every component of `mesh` must be closed; `options` and `pins` must be valid for it.
-  SolidState(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins);
+  SolidState(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins, Job& job);
   SolidState(const SolidState&) = delete;
   SolidState& operator=(const SolidState&) = delete;
 
@@ -53,7 +53,7 @@ class SolidState {
   CollisionScene collisionScene;  // metres
 
  private:
-  void makeBody();
+  void makeBody(Job& job);
   void makeParticles();
   void makePins();
   void makeSchedule();

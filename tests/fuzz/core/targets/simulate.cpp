@@ -12,7 +12,7 @@ void fuzzSimulate(FuzzInput& input) {
   const SimulationOptions options = drawSimulationOptions(input);
   const Scenario scenario = drawScenario(input, mesh, options.material.unit);
   Job job;
-  RunningScenario body(mesh, options, scenario, {.vertices = defaultPins(mesh, scenario)});
+  RunningScenario body({mesh, options, {.vertices = defaultPins(mesh, scenario)}}, scenario, job);
   for (int step = 0; step < 12; ++step) {
     body.step(job);
     body.requireNotDiverged();
