@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -118,6 +119,24 @@ TEST(Fidelity, aBodyWithFewerModesThanAskedIsStillCompared) {
   const Fidelity fidelity = compareFidelity(triangle, triangle, optionsFor(triangle), job);
   EXPECT_LT(fidelity.frequencyErrorMax, 1e-6);
   EXPECT_NEAR(fidelity.macMean, 1, 1e-6);
+  EXPECT_TRUE(std::isnan(fidelity.frequencyErrorHigh)) << "no modes 11 to 20";
+}
+
+TEST(Fidelity, noFactorOnTheStiffnessIsUsedThatRaisesTheMeanError) {
+  // Most modes are those of the first sheet, which stays as it is; those of the second one rise.
+  const TriangleMesh sheet = shapes::grid(8, 8);
+  const auto besides = [&](double size) {
+    TriangleMesh second = sheet;
+    for (Vec3& p : second.positions) p = p * size + Vec3{2, 0, 0};
+    return shapes::together(sheet, second);
+  };
+  const TriangleMesh original = besides(0.6), other = besides(0.54);
+  Job job;
+  const Fidelity fidelity = compareFidelity(original, other, optionsFor(sheet), job);
+  EXPECT_GT(fidelity.frequencyErrorMean, 1);
+  EXPECT_EQ(fidelity.frequencyErrorCalibrated, fidelity.frequencyErrorMean);
+  EXPECT_EQ(fidelity.calibrationFactor, 1);
+  EXPECT_EQ(calibrationFactor(original, other, optionsFor(sheet), job), 1);
 }
 
 }  // namespace

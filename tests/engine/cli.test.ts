@@ -762,6 +762,27 @@ describe('limber compare', () => {
     expect(stdout).toMatch(/^torus\.obj -> half\.glb +576 -> 288 faces \(-50\.0 %\)\ntopology +the same\n/);
     expect(stdout).toMatch(/frequency error, modes 1-5 +mean/);
   });
+
+  it('measures distances and says why frequencies are missing where modes do not converge', () => {
+    const { positions, triangles } = grid(200, 2);
+    const strip = toObj({ positions: positions.map((x, i) => (i % 3 === 1 ? 1e-4 * x : x)), triangles });
+    writeFileSync(path('strip.obj'), strip);
+    const { code, stdout } = limber('compare', 'strip.obj', 'strip.obj');
+    expect(code).toBe(0);
+    expect(stdout).toMatch(/topology +the same\nsurface deviation +0\.000 %/);
+    expect(stdout).toMatch(/frequency error, modes 1-10 +unknown: The modes did not converge: .*\.\n$/);
+    const { fidelity, surface } = report(limber('compare', 'strip.obj', 'strip.obj', '--json').stdout);
+    expect(surface!.hausdorff).toBeLessThan(1e-4);
+    expect(fidelity).toEqual({ failure: expect.stringMatching(/^The modes did not converge/) });
+  });
+
+  it('leaves out the error of modes that the original does not have', () => {
+    writeFileSync(path('triangle.obj'), 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+    const { stdout } = limber('compare', 'triangle.obj', 'triangle.obj');
+    expect(stdout).toMatch(/at twice the thickness +mean 0\.000 %\nshape agreement/);
+    const { fidelity } = report(limber('compare', 'triangle.obj', 'triangle.obj', '--json').stdout);
+    expect(fidelity).not.toHaveProperty('frequencyErrorHigh');
+  });
 });
 
 describe('limber inspect', () => {

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "compare/assignment.h"
@@ -91,22 +92,25 @@ class Comparison {
   Eigen::VectorXd rootMass_;
 };
 
-// The mean of |factor * ratio - 1| over modes first .. last - 1, in %; 0 if there are none.
+// The mean of |factor * ratio - 1| over modes first .. last - 1, in %; NaN if there are none.
 double meanError(const std::vector<double>& ratio, size_t first, size_t last, double factor = 1) {
   last = std::min(last, ratio.size());
   double sum = 0;
   for (size_t i = first; i < last; ++i) sum += std::abs(factor * ratio[i] - 1);
-  return last > first ? 100 * sum / static_cast<double>(last - first) : 0;
+  return last > first ? 100 * sum / static_cast<double>(last - first)
+                      : std::numeric_limits<double>::quiet_NaN();
 }
 
-// The factor on all frequencies that minimises sum (factor * ratio - 1)^2.
+// The factor on all frequencies that minimises sum (factor * ratio - 1)^2. The mean of |factor * ratio - 1|
+// can still be larger than without it, since one large error outweighs many small ones; the factor is then 1.
 double bestFactor(const std::vector<double>& ratio, size_t count) {
   double sum = 0, squares = 0;
   for (size_t i = 0; i < std::min(count, ratio.size()); ++i) {
     sum += ratio[i];
     squares += ratio[i] * ratio[i];
   }
-  return squares > 0 ? sum / squares : 1;
+  const double factor = squares > 0 ? sum / squares : 1;
+  return meanError(ratio, 0, count, factor) < meanError(ratio, 0, count) ? factor : 1;
 }
 
 double largestError(const std::vector<double>& ratio, size_t count) {

@@ -10,11 +10,13 @@ namespace limber {
 // Modes are matched one to one by mass-weighted MAC, after the shapes of the other body have been transferred
 // to the closest points of the original. Errors in %.
 struct Fidelity {
-  double frequencyErrorMean = 0, frequencyErrorMax = 0;    // over the first modeCount modes
-  double frequencyErrorCalibrated = 0;                     // mean error with the best single factor on E
+  double frequencyErrorMean = 0, frequencyErrorMax = 0;  // over the first modeCount modes
+  // Mean error with the single factor on E that minimises the sum of the squared errors. If the mean error is
+  // no smaller with it, the factor is 1.
+  double frequencyErrorCalibrated = 0;
   double calibrationFactor = 1;                            // that factor
   double frequencyErrorThin = 0, frequencyErrorThick = 0;  // means at half and at twice the thickness
-  double frequencyErrorHigh = 0;                           // mean over the next modeCount modes
+  double frequencyErrorHigh = 0;   // mean over the next modeCount modes; NaN if the original has none
   double macMean = 0, macMin = 0;  // subspace MACs, over modes whose frequencies lie within 10 %
 };
 

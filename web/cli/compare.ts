@@ -1,25 +1,26 @@
 /** limber compare A B: A is the original. */
 
-import { materialOf } from '../engine/body/material';
 import type { PreparedBody } from '../engine/body/prepared_body';
-import type { Fidelity, SurfaceDistance } from '../engine/core/core';
+import type { SurfaceDistance } from '../engine/core/core';
 import { startStopwatch } from '../engine/core/stopwatch';
 import type { OpenModel } from '../engine/document/open';
+import { fidelityReport } from '../engine/report/fidelity_report';
+import type { VibrationReport } from '../engine/report/fidelity_report';
 import { meshReport } from '../engine/report/mesh_report';
 import { startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
-import { worstFidelity, worstSurface } from '../engine/report/result_report';
+import { worstSurface } from '../engine/report/result_report';
 import type { FileRun } from '../engine/stages/file_run';
 import { comparedWarnings } from '../engine/stages/file_warnings';
-import { compareTopology, measureDistance } from '../engine/stages/measure';
+import { bodyFidelity, compareTopology, measureDistance } from '../engine/stages/measure';
 import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
 import { finish, openFile, prepareFile, preparePartners, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';
-import { counted, grouped } from '../engine/core/words';
-import { list, percent } from './words';
+import { counted } from '../engine/core/words';
+import { facesChange, list } from './words';
 
 export async function runCompare(args: Arguments): Promise<number> {
   const total = startStopwatch();
@@ -36,11 +37,16 @@ export async function runCompare(args: Arguments): Promise<number> {
   const pairs = originals.map((original, i) => ({ original, other: others[i] }));
   const distances = pairs.map(({ original, other }) => measureDistance(session.core, original, other.mesh));
   const measured = stopwatch();
-  const fidelities = pairs.map(({ original, other }) => fidelityOf(session, original, other));
+  const fidelities = pairs.map(({ original, other }) =>
+    bodyFidelity(session.core, original, other.mesh, args.settings),
+  );
   const report = startReport(session.core, 'compare', optionsAsUsed(args), originals);
   report.output = meshReport(others);
   report.surface = worstSurface(distances);
-  const fidelity = worstFidelity(fidelities);
+  const fidelity = fidelityReport(
+    fidelities,
+    originals.map(({ body }) => body.name),
+  );
   report.fidelity = fidelity;
   report.timings = { load, weld, measure: measured, modes: stopwatch(), total: total() };
   finish(session, report, compareText(args, report, fidelity, pairs));
@@ -82,18 +88,10 @@ function checkPairs(
   );
 }
 
-function fidelityOf({ core, args }: Session, original: PreparedBody, other: PreparedBody): Fidelity {
-  const { modeCount } = args.settings;
-  return core.compareFidelity(original.mesh, other.mesh, {
-    modeCount,
-    ...materialOf(original, args.settings),
-  });
-}
-
 function compareText(
   { operands }: Arguments,
   report: Report,
-  fidelity: Fidelity,
+  fidelity: VibrationReport,
   pairs: { original: PreparedBody; other: PreparedBody }[],
 ) {
   const { input, output } = report;
@@ -102,10 +100,7 @@ function compareText(
   );
   const [a, b] = operands.map((path) => shownName(path));
   return list([
-    [
-      `${a} -> ${b}`,
-      `${grouped(input.faces)} -> ${grouped(output!.faces)} faces (${percent(output!.faces / input.faces - 1)})`,
-    ],
+    [`${a} -> ${b}`, facesChange(input.faces, output!.faces)],
     ['topology', isKept ? 'the same' : 'different'],
     ...surfaceRows(report.surface!),
     ...fidelityRows(fidelity, Number(report.options.modeCount)),
@@ -124,10 +119,16 @@ function surfaceRows({ hausdorff, mean, vertexHausdorff }: SurfaceDistance): [st
   ];
 }
 
-function fidelityRows(fidelity: Fidelity, modeCount: number): [string, string][] {
+/** What is absent from the report has no row, but missing frequencies have one that says why. */
+function fidelityRows({ failure, ...fidelity }: VibrationReport, modeCount: number): [string, string][] {
+  const title = `frequency error, modes 1-${modeCount}`;
+  const unknown: [string, string][] = failure === undefined ? [] : [[title, `unknown: ${failure}`]];
+  const { frequencyErrorHigh: high } = fidelity;
+  if (!isKnown(fidelity)) return unknown;
   return [
+    ...unknown,
     [
-      `frequency error, modes 1-${modeCount}`,
+      title,
       `mean ${percentOf(fidelity.frequencyErrorMean)}, largest ${percentOf(fidelity.frequencyErrorMax)}`,
     ],
     [
@@ -136,7 +137,12 @@ function fidelityRows(fidelity: Fidelity, modeCount: number): [string, string][]
     ],
     ['  at half the thickness', `mean ${percentOf(fidelity.frequencyErrorThin)}`],
     ['  at twice the thickness', `mean ${percentOf(fidelity.frequencyErrorThick)}`],
-    ['  of the next ten modes', `mean ${percentOf(fidelity.frequencyErrorHigh)}`],
+    ...(high === undefined ? [] : [['  of the next modes', `mean ${percentOf(high)}`] as [string, string]]),
     ['shape agreement (MAC)', `mean ${fidelity.macMean.toFixed(3)}, smallest ${fidelity.macMin.toFixed(3)}`],
   ];
 }
+
+type KnownFidelity = Required<Omit<VibrationReport, 'frequencyErrorHigh' | 'failure'>>;
+
+const isKnown = (fidelity: Partial<KnownFidelity>): fidelity is KnownFidelity =>
+  fidelity.frequencyErrorMean !== undefined;

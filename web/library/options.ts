@@ -1,7 +1,7 @@
 /** The options of the library's calls: settings by the names of the table, and others. */
 
 import type { Document } from '@gltf-transform/core';
-import type { Fidelity } from '../engine/core/core';
+import type { VibrationReport } from '../engine/report/fidelity_report';
 import type { SimulationReport } from '../engine/report/motion_report';
 import type { Report, ReportWith } from '../engine/report/report';
 import type { LevelReport } from '../engine/report/result_report';
@@ -134,8 +134,8 @@ export interface OptimizedGlb<OneLevel extends Level = Level> extends Optimized<
   files: ResultFile[];
 }
 
-/** `fidelity` has the errors of the vibration, without those in solvers. */
-export type CompareReport = ReportWith<'output' | 'surface'> & { fidelity: Fidelity };
+/** `fidelity` has the errors of the vibration, or says in `failure` why they are missing, and none of solvers. */
+export type CompareReport = ReportWith<'output' | 'surface'> & { fidelity: VibrationReport };
 
 /** `fidelity` has only the errors in the solver. */
 export type TuneReport = ReportWith<'output'> & { fidelity: Required<Pick<FidelityReport, 'solvers'>> };

@@ -10,7 +10,7 @@ import type { Core } from '../../engine/core/core';
 import { sum } from '../../engine/core/mesh';
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { isModelName } from '../../engine/document/format_names';
-import { worstFidelity } from '../../engine/report/result_report';
+import { worstFidelity } from '../../engine/report/fidelity_report';
 import { describeFailure } from '../failure';
 import { writing } from '../file_error';
 import { finishOptimize, missedOf, optimizeModel } from '../optimize';
@@ -126,7 +126,7 @@ function frequencyErrorOf({ core, args }: Session, output: Optimized['output']):
       const material = materialOf(original, args.settings);
       return core.compareFidelity(original.mesh, results[i].mesh, { modeCount: 10, ...material });
     });
-    return worstFidelity(all).frequencyErrorMean;
+    return worstFidelity(all)?.frequencyErrorMean ?? null;
   } catch {
     return null;
   }

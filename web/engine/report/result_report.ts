@@ -2,7 +2,7 @@
 
 import type { FittedResult } from '../body/body_result';
 import type { InspectedBody } from '../body/prepared_body';
-import type { Fidelity, ModeSet, SurfaceDistance } from '../core/core';
+import type { ModeSet, SurfaceDistance } from '../core/core';
 import { sum } from '../core/mesh';
 import { meshReport } from './mesh_report';
 import type { MeshReport } from './mesh_report';
@@ -44,11 +44,6 @@ export function worstSurface(distances: SurfaceDistance[]): SurfaceDistance {
     mean: largest('mean'),
     vertexHausdorff: largest('vertexHausdorff'),
   };
-}
-
-/** The fidelity of the worst body, which has the largest mean frequency error. */
-export function worstFidelity(fidelities: Fidelity[]): Fidelity {
-  return fidelities.reduce((worst, one) => (one.frequencyErrorMean > worst.frequencyErrorMean ? one : worst));
 }
 
 /** The input of resultReport for a body. */

@@ -1,7 +1,7 @@
 /** The settings file: what a solver needs to move an optimized mesh as it moves the original. See docs/formats.md. */
 
 import type { EngineMaterial } from '../body/material';
-import type { MassRule, TunedFrequencies, TunedMotion, TuneKind } from '../core/core';
+import type { Fidelity, MassRule, TunedFrequencies, TunedMotion, TuneKind } from '../core/core';
 import { VERSION } from '../core/version';
 import type { ExportedSettings } from '../document/export';
 import type { OwnSpace } from '../document/model';
@@ -223,8 +223,10 @@ const shortened = <T extends object>(values: T): T =>
   ) as T;
 
 /** Errors without those of modes that a body does not have. */
-export const knownErrors = (frequencies: TunedFrequencies): Partial<TunedFrequencies> =>
-  Object.fromEntries(Object.entries(frequencies).filter(([, error]) => Number.isFinite(error)));
+export const knownErrors = <Errors extends TunedFrequencies | Partial<Fidelity>>(
+  errors: Errors,
+): Partial<Errors> =>
+  Object.fromEntries(Object.entries(errors).filter(([, error]) => Number.isFinite(error))) as Partial<Errors>;
 
 /** The settings of a body as a GLB stores them: numbers in the extras of its mesh, values per vertex as attributes. */
 export function exportedSettings(tuned: TunedBody): ExportedSettings {

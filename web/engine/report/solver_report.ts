@@ -42,6 +42,8 @@ interface BlowsUp {
 
 /** The fidelity part of a report: `compare` fills all of it except `solvers`, a tuning only `solvers`. */
 export interface FidelityReport extends Partial<Fidelity> {
+  /** why the frequencies of a body are missing, as a sentence; absent if they are known */
+  failure?: string;
   solvers?: Partial<Record<SolverName, SolverReport>>;
 }
 

@@ -1,9 +1,13 @@
-/** Measures a result beside its original: quality, distance and topology. */
+/** Measures a result beside its original: quality, distance, topology and vibration. */
 
 import type { Certificate, Measured } from '../body/body_result';
 import { trianglesOfLayers } from '../body/layers';
+import { materialOf } from '../body/material';
+import type { MaterialSettings } from '../body/material';
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, Inspection, MeshAt, SurfaceDistance, TriangleMesh } from '../core/core';
+import type { BodyFidelity } from '../report/fidelity_report';
+import type { Settings } from '../settings/options';
 
 /** Measures the result with all of its layers, as it is in the exported file. */
 export function measureResult(core: Core, prepared: PreparedBody, result: MeasuredResult): Measured {
@@ -122,4 +126,23 @@ export function compareTopology(before: Inspection, after: Inspection): Certific
   const boundaryLoops = before.boundaryLoops === after.boundaryLoops;
   const genus = before.genus === after.genus && before.eulerCharacteristic === after.eulerCharacteristic;
   return { components, boundaryLoops, genus, kept: components && boundaryLoops && genus };
+}
+
+type FidelitySettings = MaterialSettings & Pick<Settings, 'modeCount'>;
+
+/** How similarly two bodies vibrate. Throws only if the call was cancelled or the core has failed. */
+export function bodyFidelity(
+  core: Core,
+  prepared: PreparedBody,
+  other: TriangleMesh,
+  settings: FidelitySettings,
+): BodyFidelity {
+  const options = { modeCount: settings.modeCount, ...materialOf(prepared, settings) };
+  try {
+    return { fidelity: core.compareFidelity(prepared.mesh, other, options), failure: '' };
+  } catch (error) {
+    if (!(error instanceof Error) || error.name === 'Cancelled' || error instanceof WebAssembly.RuntimeError)
+      throw error;
+    return { fidelity: null, failure: error.message };
+  }
 }

@@ -1,18 +1,18 @@
 /** Two models of the same bodies: comparing them, and tuning the second. */
 
-import { materialOf } from '../../engine/body/material';
 import type { PreparedBody } from '../../engine/body/prepared_body';
 import { faceCount } from '../../engine/core/mesh';
 import { counted } from '../../engine/core/words';
+import { fidelityReport } from '../../engine/report/fidelity_report';
 import { meshReport } from '../../engine/report/mesh_report';
 import { startReport } from '../../engine/report/report';
-import { worstFidelity, worstSurface } from '../../engine/report/result_report';
+import { worstSurface } from '../../engine/report/result_report';
 import { settingsFile, writeSettings } from '../../engine/report/settings_file';
 import { solverReport } from '../../engine/report/solver_report';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { FileRun } from '../../engine/stages/file_run';
 import { comparedWarnings, sizeWarnings } from '../../engine/stages/file_warnings';
-import { measureDistance } from '../../engine/stages/measure';
+import { bodyFidelity, measureDistance } from '../../engine/stages/measure';
 import { STAGES } from '../../engine/stages/stages';
 import { withBodyName, tunedEntry, tuneMesh, tuneSettings } from '../../engine/stages/tune';
 import type { CompareReport, Reported, TuneResult } from '../options';
@@ -45,17 +45,14 @@ export async function compareModels(
   const weld = session.lap();
   const distances = originals.map((original, i) => measureDistance(core, original, others[i].mesh));
   const measure = session.lap();
-  const { modeCount } = settings;
-  const fidelities = originals.map((original, i) => {
-    const material = materialOf(original, settings);
-    return core.compareFidelity(original.mesh, others[i].mesh, { modeCount, ...material });
-  });
+  const fidelities = originals.map((original, i) => bodyFidelity(core, original, others[i].mesh, settings));
+  const names = originals.map(({ body }) => body.name);
   const used = { model: 'shell', ...settingsAsUsed('compare', settings) };
   const report = {
     ...startReport(core, 'compare', used, originals),
     output: meshReport(others),
     surface: worstSurface(distances),
-    fidelity: worstFidelity(fidelities),
+    fidelity: fidelityReport(fidelities, names),
     timings: { load, weld, measure, modes: session.lap(), total: session.total() },
   };
   return { report: finished(session, report), notes };
@@ -103,6 +100,6 @@ function checkFaces({ mesh, body }: PreparedBody, other: PreparedBody): void {
   const [before, after] = [faceCount(mesh), faceCount(other.mesh)];
   if (after > before)
     throw new Error(
-      `"${body.name}" has ${before} faces in the first model and ${after} in the second: name the original first.`,
+      `"${body.name}" has ${counted(before, 'face')} in the first model and ${after} in the second: name the original first.`,
     );
 }

@@ -23,6 +23,7 @@ export interface Fidelity {
   calibrationFactor: number;
   frequencyErrorThin: number;
   frequencyErrorThick: number;
+  /** NaN if the original has no such modes */
   frequencyErrorHigh: number;
   macMean: number;
   macMin: number;

@@ -1,15 +1,14 @@
 /** Compares the results of methods on a body at one number of faces, with the same measures. */
 
-import { materialOf } from '../../body/material';
 import type { PreparedBody } from '../../body/prepared_body';
-import type { Core, Fidelity, TriangleMesh } from '../../core/core';
+import type { Core, TriangleMesh } from '../../core/core';
 import { METHOD_NAMES } from '../../core/methods';
 import type { Method } from '../../core/methods';
 import { faceCount } from '../../core/mesh';
 import { methodChange } from '../../settings/methods';
 import type { Settings } from '../../settings/options';
 import { BodyRun } from '../body_run';
-import { measureResult } from '../measure';
+import { bodyFidelity, measureResult } from '../measure';
 import { STAGES } from '../stages';
 import { meshoptimizerCall } from './meshoptimizer';
 import { sizesOf } from './sizes';
@@ -117,7 +116,10 @@ async function meshoptimizerResult(
 /** With the measures of the report: see `measureResult` and `compareFidelity`. */
 function measuredAlike(core: Core, prepared: PreparedBody, settings: Settings, mesh: TriangleMesh) {
   const { weld, quality, distance, certificate } = measureResult(core, prepared, { mesh });
-  const { fidelity, failure } = fidelityOf(core, prepared, settings, weld.mesh);
+  const { fidelity, failure } = bodyFidelity(core, prepared, weld.mesh, {
+    ...settings,
+    modeCount: MODE_COUNT,
+  });
   const [before, after] = [sizesOf(prepared.mesh), sizesOf(mesh)];
   const isClosed = prepared.inspection.boundaryLoops === 0 && before.volume !== 0;
   return {
@@ -132,20 +134,4 @@ function measuredAlike(core: Core, prepared: PreparedBody, settings: Settings, m
     isTopologyKept: certificate.kept,
     failure,
   };
-}
-
-function fidelityOf(
-  core: Core,
-  prepared: PreparedBody,
-  settings: Settings,
-  mesh: TriangleMesh,
-): { fidelity: Fidelity | null; failure: string } {
-  const options = { modeCount: MODE_COUNT, ...materialOf(prepared, settings) };
-  try {
-    return { fidelity: core.compareFidelity(prepared.mesh, mesh, options), failure: '' };
-  } catch (error) {
-    if (!(error instanceof Error) || error.name === 'Cancelled' || error instanceof WebAssembly.RuntimeError)
-      throw error;
-    return { fidelity: null, failure: error.message };
-  }
 }
