@@ -233,6 +233,14 @@ test('the numbers below the view are those of the mesh that is shown', async ({ 
   for (const [faces, deviations] of measured) expect([...deviations], faces).toHaveLength(1);
 });
 
+test('a slider at its left end says beside it why there are no fewer faces', async ({ page }) => {
+  await page.goto('/');
+  const tetrahedron = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
+  await drop(page, writeScratch('tetrahedron.obj', tetrahedron));
+  await goTo(page, 'Reduce');
+  await expect(page.locator('.scrubber .stopped')).toHaveText('fewest: parts or holes would change');
+});
+
 test('a limit that stops the slider is named and can be switched off, and so is a missing symmetry', async ({
   page,
 }) => {
