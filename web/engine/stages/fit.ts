@@ -68,13 +68,13 @@ const ROUNDED = 1 - 1e-9;
 /** % of the diagonal: smaller distances are rounding errors of float32 positions. */
 const ROUNDING = 1e-4;
 
-/** The factor by which a fit to the surface, which lowers the mean distance, may raise the largest one. */
-const GROWTH = 1.5;
+/** The factors by which a fit to the surface, which makes triangles more even, may raise the distances from the original. */
+const GROWTH = { mean: 1.1, hausdorff: 1.5 };
 
 /**
  * The result, fitted to the original's surface, or with `shell` to its modes as well. Pinned and locked vertices stay where they are, and a mirror symmetry is kept.
  * If the fit would violate the largest deviation or the smallest angle of the settings, or if a fit to the surface would end
- * further from the original than it began, on average or by `GROWTH` at its farthest point, the result is returned unfitted.
+ * further from the original than it began by more than `GROWTH`, the result is returned unfitted.
  */
 export function fitResult(
   core: Core,
@@ -143,7 +143,7 @@ function nextLimit(limit: number, whole: number, deviation: number): number | nu
   return DEVIATION_SHARES.map((share) => share * whole).find((next) => next < ROUNDED * limit) ?? null;
 }
 
-/** The limit in % if the first fit is not kept: the largest deviation, and for a fit to the surface `GROWTH` times that of the result before it. */
+/** The limit in % if the first fit is not kept: the largest deviation, and for a fit to the surface what `GROWTH` permits. */
 function wholeLimit(
   core: Core,
   prepared: PreparedBody,
@@ -152,7 +152,10 @@ function wholeLimit(
 ): number {
   const largest = maxDeviation === 0 ? Infinity : maxDeviation;
   if (shell !== null) return largest;
-  return Math.min(largest, GROWTH * Math.max(ROUNDING, measureDistance(core, prepared, mesh).hausdorff));
+  return Math.min(
+    largest,
+    GROWTH.hausdorff * Math.max(ROUNDING, measureDistance(core, prepared, mesh).hausdorff),
+  );
 }
 
 /** The calls of the core with which `fitResult` begins for each result where the fit is to the surface; otherwise none. */
@@ -286,7 +289,7 @@ function keepsDeviation(
 }
 
 /**
- * Whether `after` is further from the original than `before`, on average or by `GROWTH` at its farthest point. The mean may grow where the fit
+ * Whether `after` is further from the original than `before` by more than `GROWTH`. The mean may grow more where the fit
  * brings the farthest point back within the largest deviation.
  */
 function isFurther(
@@ -297,8 +300,7 @@ function isFurther(
 ): boolean {
   const [first, last] = [before, after].map((mesh) => measureDistance(core, prepared, mesh));
   if (last.hausdorff <= maxDeviation && maxDeviation < first.hausdorff) return false;
-  return (
-    last.mean > Math.max(ROUNDING, first.mean) ||
-    last.hausdorff > GROWTH * Math.max(ROUNDING, first.hausdorff)
+  return (['mean', 'hausdorff'] as const).some(
+    (key) => last[key] > GROWTH[key] * Math.max(ROUNDING, first[key]),
   );
 }
