@@ -11,6 +11,12 @@ FLOORS = ("renumbered", "half the step")
 FREQUENCIES = "Frequencies of modes 1 to 10 in our model of each engine"
 BEGIN, END = "<!-- tables -->", "<!-- end of tables -->"
 TITLES = {"mujoco": "MuJoCo", "newton": "Newton", "jolt": "Jolt", "blender": "Blender"}
+# Rows below those of the summary: ratios over the motions of several tables.
+POOLS = {
+    "bodies in MuJoCo and Newton": lambda title: "bodies" in title and title.startswith(("MuJoCo", "Newton")),
+    "sheets in Blender, MuJoCo and Newton": lambda title: "sheets" in title and not title.startswith("Jolt"),
+    "everything": lambda title: True,
+}
 
 
 def geometric(values):
@@ -96,7 +102,7 @@ def means_in(document):
 
 
 def summary(document):
-    """One row for each table of motions: ours untouched and tuned, beside the best of the others, both ways."""
+    """One row for each table of motions: ours untouched and tuned, beside the best of the others, both ways; then the POOLS."""
     head = ["", "motions", "Limber untouched", "tuned", "best other untouched", "ratio to it", "best other tuned", "ratio to it"]
     rows = []
     for title, count, means, ratios in means_in(document):
@@ -104,7 +110,17 @@ def summary(document):
         untouched, tuned = (min(mean[column] for mean in others) for column in (1, 2))
         numbers = (before, after, untouched, ratios[0], tuned, ratios[1])
         rows.append([title, count, *(f"{value:.2f}" for value in numbers)])
-    return table(head, rows)
+    return table(head, rows + [pooled(document, name, belongs) for name, belongs in POOLS.items()])
+
+
+def pooled(document, name, belongs):
+    """A row of the summary with the geometric means of both ratios over all motions of the tables that belong to a pool."""
+    rows = [(count, ratios) for title, count, _, ratios in means_in(document) if belongs(title)]
+    counts = [count for count, _ in rows]
+    untouched, tuned = (
+        np.exp(np.average(np.log([ratios[column] for _, ratios in rows]), weights=counts)) for column in (0, 1)
+    )
+    return [name, sum(counts), "", "", "", f"{untouched:.2f}", "", f"{tuned:.2f}"]
 
 
 def merged(old, new):
