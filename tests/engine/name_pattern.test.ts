@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { matchesPattern } from '../../web/engine/settings/name_pattern';
+import { processorTime } from './support/processor_time';
 
 describe('a pattern of names', () => {
   it.each([
@@ -43,8 +44,8 @@ describe('a pattern of names', () => {
   });
 
   it('takes little time for a name that is made to be slow', () => {
-    const start = performance.now();
+    const seconds = processorTime();
     expect(matchesPattern('*a'.repeat(30), 'a'.repeat(29) + 'b'.repeat(50_000))).toBe(false);
-    expect(performance.now() - start).toBeLessThan(1000);
+    expect(seconds()).toBeLessThan(1);
   });
 });

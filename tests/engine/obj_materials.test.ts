@@ -14,6 +14,7 @@ import type { OpenModel, SourceFile } from '../../web/engine/document/open';
 import { validateGlb } from '../../web/engine/document/validate';
 import { failureOf, SQUARE_OBJ, textFile } from './support/files';
 import { pngOf } from './support/pictures';
+import { processorTime } from './support/processor_time';
 
 const VERTICES = SQUARE_OBJ.replace(/f.*\n/g, '');
 const CORNERS = 'vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n';
@@ -537,9 +538,9 @@ describe('any library', () => {
       const bytes = new TextEncoder().encode(
         `newmtl m\nmap_Kd ${line.repeat(Math.floor(2 ** 21 / line.length))}`,
       );
-      const start = performance.now();
+      const seconds = processorTime();
       await openModel([square(), { name: 'a.mtl', bytes }]);
-      expect((performance.now() - start) / 1000, line).toBeLessThan(5);
+      expect(seconds(), line).toBeLessThan(5);
     }
   });
 });

@@ -3,6 +3,7 @@ import sharp from 'sharp';
 import { describe, expect, it } from 'vitest';
 import { decodePng } from '../../web/engine/document/textures/png';
 import { pngOf } from './support/pictures';
+import { processorTime } from './support/processor_time';
 
 const MOST = 1 << 20;
 const [WIDTH, HEIGHT] = [37, 23];
@@ -66,8 +67,8 @@ describe('a PNG', () => {
     chunk.writeUInt32BE(packed.length);
     chunk.write('IDAT', 4);
     const bomb = Buffer.concat([small.subarray(0, dataAt), chunk, packed, Buffer.alloc(4)]);
-    const start = performance.now();
+    const seconds = processorTime();
     expect(() => decodePng(bomb, MOST)).toThrow('more rows');
-    expect(performance.now() - start).toBeLessThan(2000);
+    expect(seconds()).toBeLessThan(2);
   });
 });

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { describeTooLarge, MAX_CORNERS, triangulatePolygon } from '../../web/engine/document/polygon';
 import { areaOf, triangleArea } from './support/shapes';
+import { processorTime } from './support/processor_time';
 
 /** Vertices in a plane that is not parallel to any axis. */
 function tilted(points: number[][]): Float32Array {
@@ -118,7 +119,7 @@ describe('a polygon', () => {
 
   it('of 100,000 corners is cut at once where it is convex, and refused where it is not', () => {
     const round = circle(100_000, () => 1);
-    const start = performance.now();
+    const seconds = processorTime();
     expect(triangulatePolygon(corners(round), tilted(round))).toHaveLength(3 * 99_998);
     const star = circle(100_000, (i) => 1 + (i % 2));
     expect(triangulatePolygon(corners(star), tilted(star))).toBeNull();
@@ -126,7 +127,7 @@ describe('a polygon', () => {
       (_, i, points) => points[(2 * i + (i >= 50_000 ? 1 : 0)) % points.length],
     );
     expect(triangulatePolygon(corners(twice), tilted(twice))).toBeNull();
-    expect(performance.now() - start).toBeLessThan(3000);
+    expect(seconds()).toBeLessThan(3);
     expect(describeTooLarge(100_000)).toContain(MAX_CORNERS.toLocaleString('en-US'));
   });
 
