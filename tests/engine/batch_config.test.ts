@@ -142,8 +142,8 @@ describe('what is up to date', () => {
   };
 
   it('is recognised by a key of everything that results depend on', () => {
-    const keyFor = (options: AssetOptions, of = files, unasked: SettingName[] = []) =>
-      keyOf(of, { options, unasked }, 'a.glb');
+    const keyFor = (options: AssetOptions, of = files, fromPreset: SettingName[] = []) =>
+      keyOf(of, { options, fromPreset }, 'a.glb');
     const key = keyFor({ ratio: 0.5 });
     expect(keyFor({ ratio: 0.5, threads: 4 }, [...files])).toBe(key);
     const others = [
@@ -153,7 +153,7 @@ describe('what is up to date', () => {
       keyFor({ ratio: 0.4 }),
       keyFor({ ratio: 0.5, p: Infinity }),
       keyFor({ ratio: 0.5, p: Infinity }, files, ['p']),
-      keyOf(files, { options: { ratio: 0.5 }, unasked: [] }, 'b.glb'),
+      keyOf(files, { options: { ratio: 0.5 }, fromPreset: [] }, 'b.glb'),
     ];
     expect(new Set([key, ...others]).size).toBe(8);
   });

@@ -27,9 +27,9 @@ function orderOf(): WorkOrder {
   writeFileSync(at('src/a.obj'), SQUARE_OBJ);
   const args = parseArguments(['batch', at('src'), at('out'), '--method', 'qem']) as Arguments;
   const [request] = requestsOf(EMPTY_CONFIG, args, findSources([at('src')], at('out'))).requests;
-  const { asset, options, unasked } = request;
+  const { asset, options, fromPreset } = request;
   return {
-    ...{ asset: asset.name, options, unasked, result: asset.result, out: at('out'), folder: at('work') },
+    ...{ asset: asset.name, options, fromPreset, result: asset.result, out: at('out'), folder: at('work') },
     args: argumentsFor(args, request, { out: at('out'), threads: 1 }),
   };
 }

@@ -116,7 +116,7 @@ describe('with an OBJ', () => {
 
 describe('the key of an asset of a batch', () => {
   const key = async () =>
-    keyOf((await readModelFiles(at('a.obj'))).files, { options: {}, unasked: [] } as never, 'a.glb');
+    keyOf((await readModelFiles(at('a.obj'))).files, { options: {}, fromPreset: [] } as never, 'a.glb');
 
   it('changes with its library and with a picture that it uses, and with no other file', async () => {
     const first = await key();

@@ -27,7 +27,7 @@ import { withoutYielded } from './output_files/preset_compression';
 import { finish, openAnyFile, prepareFile, save, writeOutput, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
-import { askedOf } from './asked';
+import { requestedTargets } from './requested_targets';
 import { warnOfErrors } from './validation';
 import { clearProgress } from './terminal';
 import { plain } from './words';
@@ -126,18 +126,18 @@ export function finishOptimize(session: Session, { output, report, levels }: Opt
     ...tuningLines(report),
     ...levels.written.map(({ report: own }, i) => levelLine(labelsOf(args)[i], own)),
   ].join('\n');
-  session.warnings.push(...missed.unasked, ...(args.soft ? missed.asked : []));
-  const told = [...(args.soft ? [] : missed.asked), ...(levels.failure ? [levels.failure.sentence] : [])];
+  session.warnings.push(...missed.byDefault, ...(args.soft ? missed.requested : []));
+  const told = [...(args.soft ? [] : missed.requested), ...(levels.failure ? [levels.failure.sentence] : [])];
   finish(session, report, text, told);
   if (levels.failure) return levels.failure.code;
-  return missed.asked.length === 0 || args.soft ? EXIT.done : EXIT.missedTarget;
+  return missed.requested.length === 0 || args.soft ? EXIT.done : EXIT.missedTarget;
 }
 
 const labelsOf = ({ operands, settings }: Arguments): string[] => levelLabels(operands[1], settings);
 
 /** The missed targets of a run, settings being flags. */
 export const missedOf = (args: Arguments, output: FileOutput, { written }: WrittenLevels): MissedTargets =>
-  missedTargets(askedOf(args), output, {
+  missedTargets(requestedTargets(args), output, {
     levels: written.map(({ bodies }, i) => ({ file: labelsOf(args)[i], bodies })),
     nameOf: flagOf,
   });
@@ -151,7 +151,7 @@ function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
     fields,
     binding,
     isOnly: true,
-    ...faceTarget(askedOf(args)),
+    ...faceTarget(requestedTargets(args)),
   });
   const output = new FileOutput(file, request);
   output.compute((run, own) => {
@@ -162,7 +162,7 @@ function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
 
 function optionsAsUsed(args: Arguments): object {
   const { settings, fields } = args;
-  const { faces, ratio } = faceTarget(askedOf(args));
+  const { faces, ratio } = faceTarget(requestedTargets(args));
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
   return { ...settingsAsUsed(settings), ...target, fields };
 }

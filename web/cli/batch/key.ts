@@ -16,7 +16,7 @@ const KEY_VERSION = 'limber-batch-key/2';
  */
 export function keyOf(
   files: SourceFile[],
-  asked: Pick<AssetRequest, 'options' | 'unasked'>,
+  asked: Pick<AssetRequest, 'options' | 'fromPreset'>,
   result: string,
 ): string {
   const hash = createHash('sha256');
@@ -32,13 +32,13 @@ export function keyOf(
 
 const byName = (a: SourceFile, b: SourceFile): number => (a.name < b.name ? -1 : Number(a.name > b.name));
 
-/** Options in the order of the table, with a mark of what nobody has asked for; what describes the machine has no part in results. */
-function canonicalOptions({ options, unasked }: Pick<AssetRequest, 'options' | 'unasked'>): string {
+/** Options in the order of the table, with a mark of what only a preset sets; what describes the machine has no part in results. */
+function canonicalOptions({ options, fromPreset }: Pick<AssetRequest, 'options' | 'fromPreset'>): string {
   const names = [...SETTING_NAMES.filter((name) => !OPTIONS[name].isOfMachine), ...TARGET_NAMES];
   const given = names.filter((name) => options[name] !== undefined);
   const entries = given.map((name) => [
     ...[name, options[name] === Infinity ? 'inf' : options[name]],
-    ...(unasked.some((other) => other === name) ? ['unasked'] : []),
+    ...(fromPreset.some((other) => other === name) ? ['preset'] : []),
   ]);
   return JSON.stringify(entries);
 }

@@ -4,7 +4,7 @@ import type { Arguments } from '../arguments';
 import type { AssetRequest } from './orders';
 import type { AssetRecord, WrittenFile } from './record';
 
-export interface WorkOrder extends Pick<AssetRequest, 'options' | 'unasked'> {
+export interface WorkOrder extends Pick<AssetRequest, 'options' | 'fromPreset'> {
   asset: string;
   /** as for limber optimize; the paths are those where results are to be in the end */
   args: Arguments;

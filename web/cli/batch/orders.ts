@@ -50,8 +50,8 @@ function namesOfPresets({ asked, preset }: Arguments): SettingName[] {
 export interface AssetRequest {
   asset: Asset;
   options: AssetOptions;
-  /** options that a preset sets and nobody has asked for by name: a limit among them is no target */
-  unasked: SettingName[];
+  /** options that only a preset sets, not the user by name: a limit among them is no target */
+  fromPreset: SettingName[];
 }
 
 /**
@@ -69,12 +69,12 @@ export function requestsOf(
   const asked = new Map(
     sources.map(({ name }) => {
       const named = optionsFor(config, name, {});
-      const unasked = ofPresets.filter((one) => named[one] === undefined);
+      const fromPreset = ofPresets.filter((one) => named[one] === undefined);
       const options = optionsFor(config, name, flags);
-      const note = unasked.includes('compress') ? noteOnCompression(options, args) : null;
-      if (note === null) return [name, { options, unasked }];
+      const note = fromPreset.includes('compress') ? noteOnCompression(options, args) : null;
+      if (note === null) return [name, { options, fromPreset }];
       notes.add(note);
-      return [name, { options: { ...options, compress: undefined }, unasked }];
+      return [name, { options: { ...options, compress: undefined }, fromPreset }];
     }),
   );
   checkOptions(new Map([...asked].map(([name, { options }]) => [name, options])));
@@ -114,17 +114,17 @@ function endingOf(options: AssetOptions): string {
   return format === 'auto' ? 'glb' : format;
 }
 
-/** An asset as limber optimize is asked for it. `out`: the folder of the results. */
+/** An asset as it is given to limber optimize. `out`: the folder of the results. */
 export function argumentsFor(
   args: Arguments,
-  { asset, options, unasked }: AssetRequest,
+  { asset, options, fromPreset }: AssetRequest,
   { out, threads }: { out: string; threads: number },
 ): Arguments {
   const result = join(out, asset.result);
   const beside = (ending: string) => result.replace(/\.[^./\\]*$/, `.${ending}.json`);
   const settings = { ...settingsFor(options), threads };
   const given = settingsOf('optimize').filter(
-    (name) => options[name] !== undefined && !unasked.includes(name),
+    (name) => options[name] !== undefined && !fromPreset.includes(name),
   );
   return {
     ...args,

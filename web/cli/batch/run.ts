@@ -146,12 +146,12 @@ export class BatchRun {
 
   private orderFor(request: AssetRequest): Omit<WorkOrder, 'folder'> {
     const { args, threads, out } = this.options;
-    const { asset, options, unasked } = request;
+    const { asset, options, fromPreset } = request;
     return {
       asset: asset.name,
       args: argumentsFor(args, request, { out, threads }),
       options,
-      unasked,
+      fromPreset,
       result: asset.result,
       out,
     };

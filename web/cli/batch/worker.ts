@@ -95,7 +95,7 @@ async function optimizeAsset(session: Session, order: WorkOrder, files: StagedFi
   try {
     finishOptimize(session, done);
     if (done.levels.failure) throw new Error(done.levels.failure.sentence);
-    const missed = session.args.soft ? [] : missedOf(session.args, done.output, done.levels).asked;
+    const missed = session.args.soft ? [] : missedOf(session.args, done.output, done.levels).requested;
     return {
       state: missed.length > 0 ? 'missed' : 'done',
       sentences: [...missed, ...warningLines(session.warnings, session.args.verbose)],

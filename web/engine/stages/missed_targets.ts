@@ -21,7 +21,7 @@ export const LIMITS = ['maxDeviation', 'minAngle', 'maxFrequencyError'] as const
 export const NAMED_TARGETS = [...LIMITS, 'lods'] as const satisfies SettingName[];
 
 /** The targets of a request. */
-export interface AskedTargets extends FaceTarget {
+export interface RequestedTargets extends FaceTarget {
   settings: Settings;
   /** those of NAMED_TARGETS that the user named */
   named: ReadonlySet<SettingName>;
@@ -43,34 +43,34 @@ export interface StoppedLevel {
 /** A sentence for each missed target, without a full stop. */
 export interface MissedTargets {
   /** those that the user gave as a number or limit */
-  asked: string[];
+  requested: string[];
   /** those of a default, which are no errors */
-  unasked: string[];
+  byDefault: string[];
 }
 
 /** The requested faces; half of them without any other target. */
-export function faceTarget({ faces, ratio, settings, named }: AskedTargets): FaceTarget {
+export function faceTarget({ faces, ratio, settings, named }: RequestedTargets): FaceTarget {
   const isAlone = faces === null && !LIMITS.some((name) => named.has(name) && settings[name] > 0);
   return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
 }
 
 /** Whether the user gave the largest deviation: by default it is a guard, and stopping at it misses no target. */
-const isDeviationTarget = ({ named, settings }: Pick<AskedTargets, 'named' | 'settings'>): boolean =>
+const isDeviationTarget = ({ named, settings }: Pick<RequestedTargets, 'named' | 'settings'>): boolean =>
   named.has('maxDeviation') && settings.maxDeviation > 0;
 
 export function missedTargets(
-  asked: AskedTargets,
+  targets: RequestedTargets,
   output: FileOutput,
   { levels, nameOf }: TargetWords,
 ): MissedTargets {
-  const { settings, named } = asked;
+  const { settings, named } = targets;
   const describe = (bodies: StoppedBody[], where = '') =>
     describeMiss(bodies, output.prepared(), { where, settings, nameOf });
   const guardOf = (bodies: StoppedBody[], where = '') =>
-    isDeviationTarget(asked) ? '' : describeGuard(bodies, nameOf, where);
+    isDeviationTarget(targets) ? '' : describeGuard(bodies, nameOf, where);
   const [ofFile, guard] = [describe(output.stopped()), guardOf(output.stopped())];
-  const isAsked = asked.faces !== null || asked.ratio !== null;
-  const { faces, ratio } = faceTarget(asked);
+  const isRequested = targets.faces !== null || targets.ratio !== null;
+  const { faces, ratio } = faceTarget(targets);
   const hasCount = faces !== null || ratio !== null;
   const found = {
     deviation: worstSurface(output.values(STAGES.measured).map(({ distance }) => distance)).hausdorff,
@@ -82,14 +82,14 @@ export function missedTargets(
   ]);
   const isPresent = (sentence: string) => sentence !== '';
   return {
-    asked: [
-      ...(isAsked ? [ofFile] : []),
+    requested: [
+      ...(isRequested ? [ofFile] : []),
       ...(named.has('lods') ? ofLevels : []),
       ...brokenLimits(settings, named, found),
-      ...(isAsked ? [guard] : []),
+      ...(isRequested ? [guard] : []),
     ].filter(isPresent),
-    unasked: [
-      ...(isAsked ? [] : [...(hasCount ? [ofFile] : []), guard]),
+    byDefault: [
+      ...(isRequested ? [] : [...(hasCount ? [ofFile] : []), guard]),
       ...(named.has('lods') ? [] : ofLevels),
       ...describeFinerLevels(
         writtenFacesOf(output.stopped()),

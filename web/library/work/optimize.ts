@@ -16,7 +16,7 @@ import { requestFile } from '../../engine/stages/budget/file_targets';
 import type { FileRun } from '../../engine/stages/file_run';
 import { resultWarnings, sizeWarnings } from '../../engine/stages/file_warnings';
 import { faceTarget, missedTargets, NAMED_TARGETS } from '../../engine/stages/missed_targets';
-import type { AskedTargets, StoppedLevel } from '../../engine/stages/missed_targets';
+import type { RequestedTargets, StoppedLevel } from '../../engine/stages/missed_targets';
 import { STAGES } from '../../engine/stages/stages';
 import { checkWritten } from '../../engine/stages/written_form';
 import type { Level } from '../options';
@@ -56,8 +56,8 @@ export async function optimizeModel(
   const file = session.prepare(model, { guides: true });
   if (settings.solver !== 'none') session.warn(sizeWarnings(file, settings, nameOf));
   const weld = session.lap();
-  const asked = askedOf(session, options);
-  const target = faceTarget(asked);
+  const targets = requestedTargets(session, options);
+  const target = faceTarget(targets);
   const request = requestFile(file, { settings, fields, binding, isOnly: true, ...target });
   const output = new FileOutput(file, request);
   output.compute((run, own) => session.warn(resultWarnings(run, own)));
@@ -76,8 +76,8 @@ export async function optimizeModel(
     optionsAsUsed(session, options, target),
     levels.map((level) => level.report),
   );
-  const missed = missedTargets(asked, output, { levels: stopped, nameOf });
-  notes.push(...describeResiduals(report.modes ?? []), ...missed.asked, ...missed.unasked);
+  const missed = missedTargets(targets, output, { levels: stopped, nameOf });
+  notes.push(...describeResiduals(report.modes ?? []), ...missed.requested, ...missed.byDefault);
   report.timings = {
     ...{ load, weld, ...report.timings, export: exportTime },
     ...(levels.length > 0 ? { levels: levelsTime } : {}),
@@ -118,7 +118,10 @@ export const finished = <OfCall extends Report>({ core }: WorkSession, report: O
   peakHeapBytes: core.peakHeapBytes(),
 });
 
-const askedOf = ({ settings }: WorkSession, { faces, ratio, ...given }: OptimizeRequest): AskedTargets => ({
+const requestedTargets = (
+  { settings }: WorkSession,
+  { faces, ratio, ...given }: OptimizeRequest,
+): RequestedTargets => ({
   ...{ settings, faces: faces ?? null, ratio: ratio ?? null },
   named: new Set(NAMED_TARGETS.filter((name) => given[name] !== undefined)),
 });
@@ -144,7 +147,7 @@ async function furtherLevels(
 function optionsAsUsed(
   { settings }: WorkSession,
   { fields = false }: OptimizeRequest,
-  { faces, ratio }: Pick<AskedTargets, 'faces' | 'ratio'>,
+  { faces, ratio }: Pick<RequestedTargets, 'faces' | 'ratio'>,
 ): object {
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
   return { ...settingsAsUsed(settings), ...target, fields };

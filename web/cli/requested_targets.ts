@@ -2,10 +2,10 @@
 
 import { OPTIONS } from '../engine/settings/options';
 import { NAMED_TARGETS } from '../engine/stages/missed_targets';
-import type { AskedTargets } from '../engine/stages/missed_targets';
+import type { RequestedTargets } from '../engine/stages/missed_targets';
 import type { Arguments } from './arguments';
 
-export const askedOf = ({ faces, ratio, asked, settings }: Arguments): AskedTargets => ({
+export const requestedTargets = ({ faces, ratio, asked, settings }: Arguments): RequestedTargets => ({
   ...{ faces, ratio, settings },
   named: new Set(NAMED_TARGETS.filter((name) => asked.has(OPTIONS[name].flag))),
 });
