@@ -1,7 +1,7 @@
 /** The page: the layout of its panels. */
 
 import { computed, signal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { openDropped } from './files/files';
 import { ExportPanel } from './panels/export/export_panel';
 import { Gallery } from './panels/motion/gallery';
@@ -95,7 +95,7 @@ function SheetHandle() {
 
 function StepPanel() {
   const panel = useRef<HTMLElement>(null);
-  useEffect(() => panel.current?.scrollTo(0, 0), [view.step.value]);
+  useLayoutEffect(() => panel.current?.scrollTo(0, 0), [view.step.value]);
   if (wants.exportOpen.value) return <ExportPanel />;
   return (
     <aside class="panel right" aria-label={say('Settings of this step')} tabIndex={0} ref={panel}>

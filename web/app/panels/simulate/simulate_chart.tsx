@@ -48,18 +48,21 @@ function Caption({ hasNoise, noiseEnd }: { hasNoise: boolean; noiseEnd: number |
         <span class="key deviation" /> {say('Deviation, mean over the surface')}
       </span>
       {hasNoise && (
-        <span title={say('The original compared with itself, with its constraints in another order')}>
+        <span title={noiseTitle(noiseEnd)}>
           <span class="key noise" /> {say('Noise floor')}
           {noiseEnd !== null && (
-            <span class="muted">
-              {say(', until {time} s: it slowed the motion down', { time: fixed(noiseEnd, 2) })}
-            </span>
+            <span class="muted">{say(', until {time} s', { time: fixed(noiseEnd, 2) })}</span>
           )}
         </span>
       )}
       <span class="muted">{say('% of the diagonal')}</span>
     </figcaption>
   );
+}
+
+function noiseTitle(noiseEnd: number | null): string {
+  const title = say('The original compared with itself, with its constraints in another order');
+  return noiseEnd === null ? title : `${title}${say('; not any more, since it slowed the motion down')}`;
 }
 
 function pointsOf(
