@@ -14,7 +14,7 @@ import type { CoreCall } from './many_bodies/core_call';
 import type { ValueCache } from './many_bodies/value_cache';
 import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
-import { isWithinDeviation, measureDeviation, measureDistance } from './measure';
+import { estimateMean, isWithinDeviation, measureDeviation, measureDistance } from './measure';
 
 export const FIT_SETTINGS = [
   'method',
@@ -84,12 +84,12 @@ export function fitResult(
 ): FittedResult {
   if (request.settings === null) return unfitted(result, 'off', '');
   const { settings, isNearLimit } = request;
-  const whole = wholeLimit(core, prepared, result, settings);
   let objection = '';
   for (let limit: number | null = firstLimit(settings, isNearLimit); limit !== null;) {
     const fitted = fitWithin(core, prepared, result, { ...request, settings, limit });
     objection = objectionTo(core, prepared, [result.mesh, fitted.result.mesh], settings);
     if (objection === '') return asFitted(fitted, settings);
+    const whole = wholeLimit(core, prepared, result, settings);
     limit = nextLimit(limit, whole, measureDeviation(core, prepared, fitted.result.mesh));
   }
   return unfitted(result, kindOf(settings), objection);
@@ -152,10 +152,7 @@ function wholeLimit(
 ): number {
   const largest = maxDeviation === 0 ? Infinity : maxDeviation;
   if (shell !== null) return largest;
-  return Math.min(
-    largest,
-    GROWTH.hausdorff * Math.max(ROUNDING, measureDistance(core, prepared, mesh).hausdorff),
-  );
+  return Math.min(largest, GROWTH.hausdorff * Math.max(ROUNDING, measureDeviation(core, prepared, mesh)));
 }
 
 /** The calls of the core with which `fitResult` begins for each result where the fit is to the surface; otherwise none. */
@@ -298,9 +295,11 @@ function isFurther(
   [before, after]: BeforeAndAfter,
   maxDeviation: number,
 ): boolean {
-  const [first, last] = [before, after].map((mesh) => measureDistance(core, prepared, mesh));
-  if (last.hausdorff <= maxDeviation && maxDeviation < first.hausdorff) return false;
-  return (['mean', 'hausdorff'] as const).some(
-    (key) => last[key] > GROWTH[key] * Math.max(ROUNDING, first[key]),
-  );
+  const first = measureDeviation(core, prepared, before);
+  // A kept result is measured in full later anyway, and the measurement is cached.
+  const last = measureDistance(core, prepared, after).hausdorff;
+  if (last <= maxDeviation && maxDeviation < first) return false;
+  if (last > GROWTH.hausdorff * Math.max(ROUNDING, first)) return true;
+  const [mean, fittedMean] = [before, after].map((mesh) => estimateMean(core, prepared, mesh));
+  return fittedMean > GROWTH.mean * Math.max(ROUNDING, mean);
 }
