@@ -7,7 +7,7 @@ import { fitResult, fitSettings } from '../../web/engine/stages/fit';
 import { STAGES } from '../../web/engine/stages/stages';
 import { loadTestCore } from './support/core';
 import { optimized, runOfMesh } from './support/runs';
-import { box, torus } from './support/shapes';
+import { torus } from './support/shapes';
 
 let core: Core;
 beforeAll(async () => {
@@ -53,19 +53,6 @@ describe('a fit to the surface with limits', () => {
     const limited = reduced(torus(), 200, { fit, minAngle });
     expect(limited.fitted.unfitted).toBe('');
     expect(limited.quality.minAngle).toBeGreaterThanOrEqual(minAngle);
-  });
-
-  // Without a guard it would: the mean distance would rise by a fifth.
-  it('never ends much further from a thin plate than it began', () => {
-    const { positions, triangles } = box(20, 1, 20);
-    const plate = { positions: positions.map((x, i) => (i % 3 === 1 ? 0.02 * x : x)), triangles };
-    const settings = { strainWeight: 0, maxDeviation: 0 };
-    const before = reduced(plate, 528, { ...settings, fit: 'off' }).distance;
-    const { distance, fitted } = reduced(plate, 528, { ...settings, fit });
-    expect(before.mean).toBeGreaterThan(0);
-    expect(distance.mean).toBeLessThanOrEqual(1.1 * before.mean);
-    expect(distance.hausdorff).toBeLessThanOrEqual(1.5 * before.hausdorff);
-    expect(fitted.unfitted).toMatch(/^$|would end further/);
   });
 });
 

@@ -14,7 +14,7 @@ import type { CoreCall } from './many_bodies/core_call';
 import type { ValueCache } from './many_bodies/value_cache';
 import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
-import { estimateMean, isWithinDeviation, measureDeviation, measureDistance } from './measure';
+import { isWithinDeviation, measureDeviation, measureDistance } from './measure';
 
 export const FIT_SETTINGS = [
   'method',
@@ -57,24 +57,14 @@ export interface FitRequest {
 }
 
 /**
- * The shares of a limit of the deviation that fits may use, tried in turn. A fit measures at samples; if these miss too much, the
+ * The shares of the deviation limit that fits may use, tried in turn. A fit measures at samples; if these miss too much, the
  * last share leaves a margin.
  */
 const DEVIATION_SHARES = [1, 0.85];
 
-/** A limit has lost less than this factor by its conversion to units of the mesh and back. */
-const ROUNDED = 1 - 1e-9;
-
-/** % of the diagonal: smaller distances are rounding errors of float32 positions. */
-const ROUNDING = 1e-4;
-
-/** The factors by which a fit to the surface, which makes triangles more even, may raise the distances from the original. */
-const GROWTH = { mean: 1.1, hausdorff: 1.5 };
-
 /**
  * The result, fitted to the original's surface, or with `shell` to its modes as well. Pinned and locked vertices stay where they are, and a mirror symmetry is kept.
- * If the fit would violate the largest deviation or the smallest angle of the settings, or if a fit to the surface would end
- * further from the original than it began by more than `GROWTH`, the result is returned unfitted.
+ * If the fit would violate the largest deviation or the smallest angle of the settings, the result is returned unfitted.
  */
 export function fitResult(
   core: Core,
@@ -84,29 +74,13 @@ export function fitResult(
 ): FittedResult {
   if (request.settings === null) return unfitted(result, 'off', '');
   const { settings, isNearLimit } = request;
-  let objection = '';
-  for (let limit: number | null = firstLimit(settings, isNearLimit); limit !== null;) {
-    const fitted = fitWithin(core, prepared, result, { ...request, settings, limit });
-    objection = objectionTo(core, prepared, [result.mesh, fitted.result.mesh], settings);
-    if (objection === '') return asFitted(fitted, settings);
-    const whole = wholeLimit(core, prepared, result, settings);
-    limit = nextLimit(limit, whole, measureDeviation(core, prepared, fitted.result.mesh));
+  for (const share of sharesOf(settings, isNearLimit)) {
+    const fitted = fitWithin(core, prepared, result, { ...request, settings, share });
+    const meshes: BeforeAndAfter = [result.mesh, fitted.result.mesh];
+    if (keepsAngle(core, meshes, settings) && keepsDeviation(core, prepared, meshes, settings))
+      return asFitted(fitted, settings);
   }
-  return unfitted(result, kindOf(settings), objection);
-}
-
-/** Why a fit is not kept, as a clause; empty if it is. */
-function objectionTo(
-  core: Core,
-  prepared: PreparedBody,
-  meshes: BeforeAndAfter,
-  settings: FitSettings,
-): string {
-  if (!keepsAngle(core, meshes, settings) || !keepsDeviation(core, prepared, meshes, settings))
-    return 'the fit would break a limit of deviation or angle';
-  if (settings.shell === null && isFurther(core, prepared, meshes, settings.maxDeviation))
-    return 'the fit would end further from the original than it began';
-  return '';
+  return unfitted(result, kindOf(settings), 'the fit would break a limit of deviation or angle');
 }
 
 /** The result, fitted without a limit of its deviation; null where that does not bring it within the largest deviation. */
@@ -117,11 +91,11 @@ export function fitWithinDeviation(
   request: FitRequest & { settings: FitSettings },
 ): FittedResult | null {
   const { settings } = request;
-  const fitted = fitWithin(core, prepared, result, { ...request, limit: Infinity });
+  const fitted = fitWithin(core, prepared, result, { ...request, share: Infinity });
   const { mesh } = fitted.result;
   const isKept =
     isWithinDeviation(core, prepared, mesh, settings.maxDeviation) &&
-    objectionTo(core, prepared, [result.mesh, mesh], settings) === '';
+    keepsAngle(core, [result.mesh, mesh], settings);
   return isKept ? asFitted(fitted, settings) : null;
 }
 
@@ -133,26 +107,10 @@ const asFitted = (fitted: Fitted, settings: FitSettings): FittedResult => ({
   unfitted: describeUnfitted(fitted),
 });
 
-/** The limit of the first fit in %; Infinity is a fit without a limit, which is fast and mostly ends closer to the original. */
-const firstLimit = ({ maxDeviation }: FitSettings, isNearLimit = false): number =>
-  isNearLimit && maxDeviation > 0 ? maxDeviation : Infinity;
-
-/** The limit after one with which a fit has a deviation; null if there is none, or if a tighter one would not help. */
-function nextLimit(limit: number, whole: number, deviation: number): number | null {
-  if (deviation <= whole) return null;
-  return DEVIATION_SHARES.map((share) => share * whole).find((next) => next < ROUNDED * limit) ?? null;
-}
-
-/** The limit in % if the first fit is not kept: the largest deviation, and for a fit to the surface what `GROWTH` permits. */
-function wholeLimit(
-  core: Core,
-  prepared: PreparedBody,
-  { mesh }: Pick<MeshAt, 'mesh'>,
-  { maxDeviation, shell }: Pick<FitSettings, 'maxDeviation' | 'shell'>,
-): number {
-  const largest = maxDeviation === 0 ? Infinity : maxDeviation;
-  if (shell !== null) return largest;
-  return Math.min(largest, GROWTH.hausdorff * Math.max(ROUNDING, measureDeviation(core, prepared, mesh)));
+/** The shares to try; Infinity is a fit without the limit, which comes first because it is fast and mostly stays within it. */
+function sharesOf({ maxDeviation }: FitSettings, isNearLimit = false): number[] {
+  if (maxDeviation === 0) return [Infinity];
+  return isNearLimit ? DEVIATION_SHARES : [Infinity, ...DEVIATION_SHARES];
 }
 
 /** The calls of the core with which `fitResult` begins for each result where the fit is to the surface; otherwise none. */
@@ -163,47 +121,24 @@ export function firstFits(
 ): CoreCall<'fitShape'>[] {
   if (settings === null || settings.shell !== null) return [];
   return results.map(({ result, isNearLimit }) => {
-    const limit = firstLimit(settings, isNearLimit);
+    const [share] = sharesOf(settings, isNearLimit);
     return coreCall(
       'fitShape',
       prepared.mesh,
       result,
-      fitOptions(prepared, { constraints, settings, limit }),
+      fitOptions(prepared, { constraints, settings, share }),
     );
   });
 }
 
-/** A fit of a result to the surface. */
-export interface TriedFit {
-  prepared: PreparedBody;
-  call: CoreCall<'fitShape'>;
-  fitted: MeshAt;
-}
+type FitOfShare = Omit<FitRequest, 'settings'> & { settings: FitSettings; share: number };
 
-/** The call with which `fitResult` goes on if this fit is not kept; null if there is none. */
-export function nextFit(
-  core: Core,
-  { prepared, call, fitted }: TriedFit,
-  maxDeviation: number,
-): CoreCall<'fitShape'> | null {
-  const [original, level, options] = call.values;
-  const { diagonal } = prepared;
-  const whole = wholeLimit(core, prepared, level, { maxDeviation, shell: null });
-  const limit = options.maxDeviation === 0 ? Infinity : (100 / diagonal) * options.maxDeviation;
-  const next = nextLimit(limit, whole, measureDeviation(core, prepared, fitted.mesh));
-  if (next === null) return null;
-  return coreCall('fitShape', original, level, { ...options, maxDeviation: inUnits(next, prepared) });
-}
-
-/** `limit`: of the deviation, in %. */
-type LimitedFit = Omit<FitRequest, 'settings'> & { settings: FitSettings; limit: number };
-
-/** A fit to the surface finds no errors of frequencies. */
+/** The fit that may use a share of the largest deviation; a fit to the surface finds no errors of frequencies. */
 function fitWithin(
   core: Core,
   prepared: PreparedBody,
   result: MeshAt,
-  { cache, ...request }: LimitedFit,
+  { cache, ...request }: FitOfShare,
 ): Fitted {
   const { mesh } = prepared;
   const { shell } = request.settings;
@@ -219,7 +154,7 @@ function fitWithin(
 
 function fitOptions(
   prepared: PreparedBody,
-  { constraints, settings, limit }: Omit<LimitedFit, 'cache'>,
+  { constraints, settings, share }: Omit<FitOfShare, 'cache'>,
 ): ShapeFitOptions {
   const { mesh } = prepared;
   return {
@@ -228,15 +163,11 @@ function fitOptions(
     locked: maskOf(mesh, constraints.pinned, constraints.locked) ?? new Uint8Array(),
     pinned: constraints.pinned ?? new Uint32Array(),
     mirror: constraints.mirror,
-    maxDeviation: inUnits(limit, prepared),
+    maxDeviation: Number.isFinite(share) ? ((share * settings.maxDeviation) / 100) * prepared.diagonal : 0,
     minAngle: settings.minAngle,
     samples: prepared.samples,
   };
 }
-
-/** A limit in units of the mesh, as the core takes it: 0 is none. */
-const inUnits = (limit: number, { diagonal }: PreparedBody): number =>
-  Number.isFinite(limit) ? (limit / 100) * diagonal : 0;
 
 /** The level of at most `faces` faces, fitted. */
 export function fittedLevelAt(
@@ -283,23 +214,4 @@ function keepsDeviation(
   if (maxDeviation === 0 || measureDistance(core, prepared, after).hausdorff <= maxDeviation) return true;
   if (isWithinDeviation(core, prepared, before, maxDeviation)) return false;
   return measureDeviation(core, prepared, after) <= measureDeviation(core, prepared, before);
-}
-
-/**
- * Whether `after` is further from the original than `before` by more than `GROWTH`. The mean may grow more where the fit
- * brings the farthest point back within the largest deviation.
- */
-function isFurther(
-  core: Core,
-  prepared: PreparedBody,
-  [before, after]: BeforeAndAfter,
-  maxDeviation: number,
-): boolean {
-  const first = measureDeviation(core, prepared, before);
-  // A kept result is measured in full later anyway, and the measurement is cached.
-  const last = measureDistance(core, prepared, after).hausdorff;
-  if (last <= maxDeviation && maxDeviation < first) return false;
-  if (last > GROWTH.hausdorff * Math.max(ROUNDING, first)) return true;
-  const [mean, fittedMean] = [before, after].map((mesh) => estimateMean(core, prepared, mesh));
-  return fittedMean > GROWTH.mean * Math.max(ROUNDING, mean);
 }

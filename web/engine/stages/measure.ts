@@ -93,16 +93,6 @@ export function measureDeviation(core: Core, prepared: PreparedBody, other: Tria
   return hausdorff;
 }
 
-/** The mean distance from at most this many samples has a standard error of about 1 %. */
-const MEAN_SAMPLES = 10_000;
-
-/** The mean of `measureDistance` within about 1 %, in a fraction of its time. */
-export function estimateMean(core: Core, prepared: PreparedBody, other: TriangleMesh): number {
-  const { mesh, samples, diagonal } = prepared;
-  if (samples <= MEAN_SAMPLES) return measureDistance(core, prepared, other).mean;
-  return (100 / diagonal) * core.measureSurfaceDistance(mesh, other, MEAN_SAMPLES).mean;
-}
-
 /** Whether `measureDeviation` is at most `limit`, in %, in a fraction of its time. */
 export function isWithinDeviation(
   core: Core,

@@ -100,7 +100,6 @@ export const ENGINE: MessageTable = {
   'When it sways and hangs,': '揺れて垂れ下がる',
   // web/engine/stages/fit.ts and web/engine/report/fit_words.ts
   'the fit would break a limit of deviation or angle': 'フィットするとずれか角の制限を超えます',
-  'the fit would end further from the original than it began': 'フィットすると元の形状から遠ざかります',
   // web/app/worker, web/engine/document
   'No file is open: open one first.': 'ファイルが開かれていません。先にファイルを開いてください。',
   // web/engine/document/dropped.ts

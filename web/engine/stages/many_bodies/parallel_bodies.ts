@@ -10,8 +10,6 @@ import { errorCurveStage } from '../budget/error_curve';
 import { guardInParallel } from '../budget/guarded_level';
 import type { LevelToGuard } from '../budget/guarded_level';
 import type { FileRun } from '../file_run';
-import { nextFit } from '../fit';
-import type { TriedFit } from '../fit';
 import { fittedStage } from '../fitted';
 import { collapsedLevelsStage, furtherLevelsStage } from '../further_levels';
 import { guidanceStage, guidingModes } from '../guidance';
@@ -157,7 +155,6 @@ function fitTogether(core: Core, bodies: BodyRequest[], stage: AnyStage): Step[]
   return [
     { weight: 3, run: () => (fits = callFirst(core, bodies, stage)), isOneCall: true },
     { weight: 1, run: () => aheadOf(stage, fits, () => measureFits(core, fits)) },
-    { weight: 1, run: () => aheadOf(stage, fits, () => repeatFits(core, fits)) },
   ];
 }
 
@@ -184,40 +181,13 @@ function aheadOf(stage: AnyStage, firsts: FirstCall[], work: () => void): void {
   for (const { run } of firsts) run.addSeconds(stage, seconds / firsts.length);
 }
 
-/** Measures levels and their fits ahead; a failed fit is repeated by its stage, which throws its Error. */
-function measureFits(core: Core, fits: FirstCall[]): void {
-  const meshes = knownFits(fits).flatMap(({ prepared, call, fitted }) => {
-    const [, level] = call.values;
-    return [level, fitted].map(({ mesh }) => ({ prepared, mesh }));
+/** Measures the fits ahead; a failed fit is repeated by its stage, which throws its Error. */
+function measureFits(core: Core, firsts: FirstCall[]): void {
+  const fits = firsts.flatMap(({ run, settings, call }) => {
+    const fitted = knownResult(cacheOf(firsts), call as CoreCall<'fitShape'>);
+    return fitted ? [{ prepared: preparedOf(run, settings), mesh: fitted.result.mesh }] : [];
   });
-  measureDistances(core, meshes);
-}
-
-/** Makes and measures the fits with which the stages go on where those of `firsts` go too far. */
-function repeatFits(core: Core, firsts: FirstCall[]): void {
-  const calls: CoreCall[] = [];
-  for (let fits = knownFits(firsts); fits.length > 0;) {
-    calls.push(...fits.map(({ call }) => call));
-    const again = fits.flatMap(({ run, settings, ...tried }) => {
-      const call = nextFit(core, tried, settings.maxDeviation);
-      return call === null ? [] : { run, settings, call };
-    });
-    // With the former calls, so that these are still remembered.
-    callAll(core, cacheOf(firsts), [...calls, ...again.map(({ call }) => call)]);
-    measureFits(core, again);
-    fits = again.length > 0 ? knownFits(again) : [];
-  }
-}
-
-/** The calls that have not failed, with their results. */
-function knownFits(fits: FirstCall[]): (BodyRequest & TriedFit)[] {
-  return fits.flatMap(({ run, settings, call }) => {
-    const fit = call as CoreCall<'fitShape'>;
-    const fitted = knownResult(cacheOf(fits), fit);
-    return fitted
-      ? [{ run, settings, prepared: preparedOf(run, settings), call: fit, fitted: fitted.result }]
-      : [];
-  });
+  measureDistances(core, fits);
 }
 
 const levelToGuard = ({ run, settings }: BodyRequest, level: MeshAt): LevelToGuard => ({

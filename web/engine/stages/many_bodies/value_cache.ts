@@ -11,7 +11,7 @@ interface Entry {
 export class ValueCache {
   private readonly entries = new Map<string, Map<number, Entry[]>>();
 
-  /** `capacity`: inputs that are remembered for each function, or as many as `fill` has at once if these are more; the oldest are forgotten first. */
+  /** `capacity`: inputs that are remembered for each function, or more where `fill` has more at once; the oldest are forgotten first. */
   constructor(private readonly capacity: number) {}
 
   /**
@@ -44,7 +44,7 @@ export class ValueCache {
       if (isNew && !this.find(name, inputs, hash)) missing.push({ inputs, hash });
     }
     if (missing.length === 0) return;
-    const capacity = Math.max(this.capacity, all.length);
+    const capacity = Math.max(this.capacity, missing.length);
     compute(missing.map(({ inputs }) => inputs)).forEach((value, i) => {
       const { inputs, hash } = missing[i];
       if (!(value instanceof Error)) this.remember(name, { inputs, value }, hash, capacity);
