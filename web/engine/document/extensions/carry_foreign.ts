@@ -3,11 +3,11 @@
 import type { GLTF } from '@gltf-transform/core';
 import { meshOfForeign } from './foreign';
 import type { Foreign, ForeignExtension } from './foreign';
+import { isObject } from './json';
+import type { Json } from './json';
 
 /** Collections whose entries keep their indices; new entries are appended. */
 const STABLE = 'scenes nodes meshes cameras skins animations materials images'.split(' ');
-
-type Json = Record<string, unknown>;
 
 /**
  * Adds to `json`, which it changes, what can be carried. `source`: how many entries each list of the file had. `replaced`:
@@ -48,7 +48,7 @@ function holdersOf(json: GLTF.IGLTF, { textures }: Foreign, { path }: ForeignExt
     if (typeof holder !== 'object' || holder === null) return [];
     holder = (holder as Json)[step];
   }
-  return typeof holder === 'object' && holder !== null ? [holder as Json] : [];
+  return isObject(holder) ? [holder] : [];
 }
 
 /** Returns a function from the index of a texture in the file to that in the result, which adds the texture on first use. */

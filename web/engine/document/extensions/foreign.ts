@@ -5,6 +5,8 @@
 
 import type { GLTF } from '@gltf-transform/core';
 import { SUPPORTED_EXTENSIONS } from '../gltf_io';
+import { isObject } from './json';
+import type { Json } from './json';
 
 /** The JSON of one extension on one object of a file. */
 export interface ForeignExtension {
@@ -37,8 +39,6 @@ const RENUMBERED = new Set(['accessors', 'bufferViews', 'buffers', 'samplers']);
 /** Keys under which extensions refer to entries of these collections by index. */
 const NAMES_DATA = /^(accessors?|bufferViews?|buffers?|samplers?|indices|attributes)$/i;
 
-type Json = Record<string, unknown>;
-
 export function foreignOf(json: GLTF.IGLTF): Foreign | null {
   const extensions: ForeignExtension[] = [];
   collect(json as unknown as Json, [], extensions);
@@ -50,8 +50,6 @@ export function foreignOf(json: GLTF.IGLTF): Foreign | null {
 }
 
 const isForeign = (name: string): boolean => !SUPPORTED_EXTENSIONS.has(name);
-const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null;
-
 function collect(value: Json, path: (string | number)[], found: ForeignExtension[]): void {
   for (const [key, child] of Object.entries(value)) {
     if (key === 'extras' || !isObject(child)) continue;

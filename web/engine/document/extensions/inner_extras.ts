@@ -1,8 +1,7 @@
 /** Extras of objects inside others, such as "pbrMetallicRoughness" of a material, most of which the reader skips. */
 
 import type { GLTF } from '@gltf-transform/core';
-
-type Json = Record<string, unknown>;
+import { isObject } from './json';
 
 export interface InnerExtras {
   /** keys from the root of the JSON to the object that has the extras */
@@ -35,5 +34,3 @@ export function restoreInnerExtras(json: GLTF.IGLTF, all: readonly InnerExtras[]
     if (isObject(holder)) holder.extras ??= extras;
   }
 }
-
-const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null;

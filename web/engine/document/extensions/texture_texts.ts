@@ -1,8 +1,8 @@
 /** Names and extras of textures and samplers, which the reader skips: a document has images, and for each use of one how it is sampled. */
 
 import type { GLTF } from '@gltf-transform/core';
-
-type Json = Record<string, unknown>;
+import { isObject } from './json';
+import type { Json } from './json';
 
 /** What every glTF object may say about itself. */
 type Texts = Pick<GLTF.IChildRootProperty, 'name' | 'extras'>;
@@ -75,5 +75,3 @@ function renumber(value: Json, before: unknown, textureOf: (now: number, before:
     renumber(child, old, textureOf);
   }
 }
-
-const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null;
