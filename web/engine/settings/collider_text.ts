@@ -3,7 +3,7 @@
  * `capsule:x0,y0,z0,x1,y1,z1,R` (around a segment), joined by `+`; in units of the body.
  */
 
-import { SettingError } from './errors';
+import { numbersIn, parseTerms } from './terms';
 
 type Point = [number, number, number];
 
@@ -16,21 +16,12 @@ const FORMS = 'ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joine
 
 /** The terms of a text; none for an empty one. Throws SettingError with the forms. */
 export const parseColliders = (text: string): ColliderTerm[] =>
-  text === '' ? [] : text.split('+').map(parseTerm);
-
-function parseTerm(text: string): ColliderTerm {
-  if (text === '')
-    throw new SettingError('colliders', `has a + that does not join two terms: remove it, or give ${FORMS}.`);
-  const colon = text.indexOf(':');
-  const words = text.slice(colon + 1).split(',');
-  const numbers = words.map((word) => (word.trim() === '' ? NaN : Number(word)));
-  const term = numbers.every(Number.isFinite) ? termOf(text.slice(0, Math.max(0, colon)), numbers) : null;
-  if (!term) throw new SettingError('colliders', `has "${text}": give ${FORMS}.`);
-  return term;
-}
+  parseTerms(text, { setting: 'colliders', forms: FORMS, termOf });
 
 /** null where the numbers do not fit the kind */
-function termOf(kind: string, numbers: number[]): ColliderTerm | null {
+function termOf(kind: string, value: string): ColliderTerm | null {
+  const numbers = numbersIn(value);
+  if (numbers === null) return null;
   if (kind === 'ground' && numbers.length === 1) return { kind, height: numbers[0] };
   const point = (i: number): Point => [numbers[i], numbers[i + 1], numbers[i + 2]];
   const radius = numbers[numbers.length - 1];

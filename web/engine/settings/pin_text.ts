@@ -4,8 +4,8 @@
  * first component is above one half), `vertices:i,j` (numbers in the file, from 0), joined by `+`.
  */
 
-import { SettingError } from './errors';
 import type { SettingName } from './table';
+import { numbersIn, parseTerms } from './terms';
 
 export type PinTerm =
   | { kind: 'low' | 'high'; percent: number }
@@ -25,26 +25,17 @@ const parsed = new Map<SettingName, { text: string; terms: PinTerms }>();
 export function parsePins(text: string, setting: SettingName = 'pins'): PinTerms {
   const last = parsed.get(setting);
   if (last?.text === text) return last.terms;
-  const terms = text === '' ? [] : text.split('+').map((term) => parseTerm(term, setting));
+  const terms = parseTerms(text, { setting, forms: FORMS, termOf });
   parsed.set(setting, { text, terms });
   return terms;
 }
 
-function parseTerm(text: string, setting: SettingName): PinTerm {
-  if (text === '')
-    throw new SettingError(setting, `has a + that does not join two terms: remove it, or give ${FORMS}.`);
-  const colon = text.indexOf(':');
-  const [kind, value] = [text.slice(0, Math.max(0, colon)), text.slice(colon + 1)];
-  const term = value === '' ? null : termOf(kind, value);
-  if (!term) throw new SettingError(setting, `has "${text}": give ${FORMS}.`);
-  return term;
-}
-
 /** null where the value has not the form of its kind */
 function termOf(kind: string, value: string): PinTerm | null {
+  if (value === '') return null;
   if (kind === 'attribute') return { kind, name: value };
-  const numbers = value.split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
-  if (!numbers.every(Number.isFinite)) return null;
+  const numbers = numbersIn(value);
+  if (numbers === null) return null;
   if (kind === 'low' || kind === 'high') {
     const [percent] = numbers;
     return numbers.length === 1 && percent >= 0 && percent <= 100 ? { kind, percent } : null;

@@ -1,0 +1,31 @@
+/** Settings whose text is a list of terms, `KIND:VALUE` joined by `+`. */
+
+import { SettingError } from './errors';
+import type { SettingName } from './table';
+
+export interface TermRules<Term> {
+  setting: SettingName;
+  /** the forms of all kinds, for errors */
+  forms: string;
+  /** null if the value does not have the form of its kind */
+  termOf: (kind: string, value: string) => Term | null;
+}
+
+/** The terms of a text; none for an empty one. Throws SettingError with the forms. */
+export const parseTerms = <Term>(text: string, rules: TermRules<Term>): Term[] =>
+  text === '' ? [] : text.split('+').map((term) => parseTerm(term, rules));
+
+function parseTerm<Term>(text: string, { setting, forms, termOf }: TermRules<Term>): Term {
+  if (text === '')
+    throw new SettingError(setting, `has a + that does not join two terms: remove it, or give ${forms}.`);
+  const colon = text.indexOf(':');
+  const term = termOf(text.slice(0, Math.max(0, colon)), text.slice(colon + 1));
+  if (term === null) throw new SettingError(setting, `has "${text}": give ${forms}.`);
+  return term;
+}
+
+/** Numbers separated by commas; null if one is missing or is none. */
+export function numbersIn(value: string): number[] | null {
+  const numbers = value.split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
+  return numbers.every(Number.isFinite) ? numbers : null;
+}
