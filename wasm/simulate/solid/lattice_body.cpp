@@ -18,7 +18,6 @@ namespace {
 // from which the stiffness of a cell is computed, so that nodes at the rim of a sliver follow their
 // neighbours.
 constexpr double kLightest = 0.01, kMinFilled = 0.01;
-constexpr uint32_t kCheckInterval = 256;  // cells between two checks for cancellation
 // A cell that is full to within this fraction has the matrix of a full cell.
 constexpr double kFull = 1e-9;
 
@@ -144,7 +143,7 @@ class LatticeBodyBuilder {
     const Hexahedron brick(lattice.grid.size, material_.poisson);
     uint32_t full = kNone;
     for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
-      if (copy % kCheckInterval == 0) job_.check();
+      job_.check();
       std::array<uint32_t, 8> nodes;
       for (int k = 0; k < 8; ++k) nodes[k] = firstNode_ + lattice.copyNodes[8 * copy + k];
       body_.cells.push_back(nodes);
