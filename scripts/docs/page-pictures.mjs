@@ -29,6 +29,12 @@ async function open(page, sample) {
   if (await hints.isVisible()) await hints.click();
 }
 
+async function keepFaces(page, ratio) {
+  const slider = page.getByRole('slider', { name: 'Kept faces' });
+  await slider.fill(String(Math.round(ratio * Number(await slider.getAttribute('max')))));
+  await settle(page);
+}
+
 const PICTURES = {
   start: async (page) => {
     await page.goto(`http://localhost:${port}/`);
@@ -59,8 +65,13 @@ const PICTURES = {
     await settle(page, 3000);
   },
   test: async (page) => {
-    await open(page, 'bar');
+    await open(page, 'cloth');
+    await goTo(page, 'Reduce');
+    await settle(page);
+    await keepFaces(page, 0.25);
     await goTo(page, 'Test');
+    await page.getByLabel('Solver', { exact: true }).selectOption({ label: 'Jolt' });
+    await page.getByRole('button', { name: 'Tuned', exact: true }).click();
     await page.getByRole('button', { name: 'Deviation', exact: true }).click();
     await settle(page, 4000);
   },
@@ -72,9 +83,7 @@ async function saveMoving(page) {
   await open(page, 'organic');
   await goTo(page, 'Reduce');
   await settle(page);
-  const slider = page.getByRole('slider', { name: 'Kept faces' });
-  await slider.fill(String(Math.round(0.2 * Number(await slider.getAttribute('max')))));
-  await settle(page);
+  await keepFaces(page, 0.2);
   await goTo(page, 'Test');
   await page.getByLabel('Scenario', { exact: true }).selectOption({ label: 'Sway' });
   await settle(page);

@@ -129,10 +129,10 @@ export const TEST_AND_EXPORT: MessageTable = {
   'It could not be tuned, and is shown untuned.': '調整できなかったため、そのまま表示しています。',
   'how it sways': '揺れ方',
   'how it hangs': '吊り下がり方',
-  'In a trial of {tried}, it came closer tuned. Other motions may differ.':
-    '{tried}を試したところ、調整したほうが元に近くなりました。ほかの動きでは異なることがあります。',
-  "In a trial of {tried}, it came closer with the original's stiffness, so only the masses are tuned. Other motions may differ.":
-    '{tried}を試したところ元の剛性のほうが近かったため、質量だけを調整しています。ほかの動きでは異なることがあります。',
+  'In a trial of {tried}, it was {tuned} of the diagonal away tuned and {untouched} untuned. Other motions may differ.':
+    '{tried}を試したところ、元とのずれは対角線に対して調整ありで {tuned}、調整なしで {untouched} でした。ほかの動きでは異なることがあります。',
+  "In a trial of {tried}, it was {untouched} of the diagonal away with the original's stiffness and {tuned} with another, so only the masses are tuned. Other motions may differ.":
+    '{tried}を試したところ、元とのずれは対角線に対して元の剛性で {untouched}、別の剛性で {tuned} だったため、質量だけを調整しています。ほかの動きでは異なることがあります。',
   'raise the substeps (now {substeps}) or choose a softer material, then reset.':
     'サブステップ (現在 {substeps}) を増やすか、柔らかい材料を選んでからリセットしてください。',
   'Both meshes have diverged at {time} s: {cure}': '両方のメッシュが {time} 秒で発散しました。{cure}',

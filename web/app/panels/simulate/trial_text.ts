@@ -1,6 +1,7 @@
 /** The verdict of a short motion trial on the tuned numbers. */
 
 import type { TunedMotion } from '../../../engine/core/core';
+import { percent } from '../../controls/numbers';
 import { listed, say } from '../../language/say';
 
 /** By the scenes that are tried, see web/engine/core/interface/tune.ts. */
@@ -11,10 +12,13 @@ export function describeTrial({ scene, kept, tuned, untouched }: TunedMotion): s
   const tried = listed(scene.split(' and ').map((name) => say(TRIED[name] ?? name)));
   if (kept === 'untouched')
     return say(
-      "In a trial of {tried}, it came closer with the original's stiffness, so only the masses are tuned. Other motions may differ.",
-      { tried },
+      "In a trial of {tried}, it was {untouched} of the diagonal away with the original's stiffness and {tuned} with another, so only the masses are tuned. Other motions may differ.",
+      { tried, tuned: percent(tuned), untouched: percent(untouched) },
     );
   return tuned < untouched
-    ? say('In a trial of {tried}, it came closer tuned. Other motions may differ.', { tried })
+    ? say(
+        'In a trial of {tried}, it was {tuned} of the diagonal away tuned and {untouched} untuned. Other motions may differ.',
+        { tried, tuned: percent(tuned), untouched: percent(untouched) },
+      )
     : '';
 }
