@@ -131,7 +131,7 @@ export const inspect = (
 export const close = (): void => workQueue().close();
 
 /** Of the models of a call with two. */
-const ORDINALS = ['first ', 'second '];
+const ORDINALS = ['first ', 'second '] as const;
 
 async function work<Name extends CommandName>(
   command: Name,

@@ -11,7 +11,8 @@ import { rememberShared } from '../engine/document/write/shared_accessors';
 import { rememberTargetNames } from '../engine/document/write/target_names';
 import { LimberError } from './options';
 import type { Model } from './options';
-import type { ModelFiles, OptimizeReply } from './protocol';
+import { documentName, glbName } from './protocol';
+import type { ModelFiles, OptimizeReply, Which } from './protocol';
 
 /** A document in memory is not compressed, whatever its file was. */
 const COMPRESSED = /(draco|meshopt)/i;
@@ -23,24 +24,24 @@ export function isDocument(model: unknown): model is Document {
   return (model as Document).getRoot()?.propertyType === PropertyType.ROOT;
 }
 
-/** Throws LimberError where it is no model. `which`: one of several, as "first ". */
-export async function filesOf(model: Model, which = ''): Promise<ModelFiles> {
-  if (isDocument(model)) return filesOfDocument(model);
-  if (isBytes(model)) return [namelessFile(model)];
-  if (isBuffer(model)) return [namelessFile(new Uint8Array(model))];
-  if (Array.isArray(model)) return (model as ModelFiles).map(checkedFile);
+/** Throws LimberError where it is no model. `which`: one of several. */
+export async function filesOf(model: Model, which: Which = ''): Promise<ModelFiles> {
+  if (isDocument(model)) return filesOfDocument(model, which);
+  if (isBytes(model)) return [namelessFile(model, which)];
+  if (isBuffer(model)) return [namelessFile(new Uint8Array(model), which)];
+  if (Array.isArray(model)) return (model as ModelFiles).map((file, i) => checkedFile(file, i, which));
   throw new LimberError(
     `The ${which}model is ${quotedValue(model)}: give a glTF-Transform Document, the bytes of a GLB, or files with name and bytes.`,
   );
 }
 
 /** The file of bytes that came without a name. Throws LimberError where they are of another format than GLB. */
-function namelessFile(bytes: Uint8Array): ModelFiles[number] {
+function namelessFile(bytes: Uint8Array, which: Which): ModelFiles[number] {
   if (bytes.length > 0 && !isGlb(bytes))
     throw new LimberError(
-      'The bytes of the model do not start with "glTF", as those of a GLB do: give a model of another format with its name, as in [{ name: "chair.obj", bytes }].',
+      `The bytes of the ${which}model do not start with "glTF", as those of a GLB do: give a model of another format with its name, as in [{ name: "chair.obj", bytes }].`,
     );
-  return { name: 'model.glb', bytes };
+  return { name: glbName(which), bytes };
 }
 
 /** Bytes may come from another realm: a frame, or the sandbox of a test runner. */
@@ -51,13 +52,15 @@ const isBuffer = (value: unknown): value is ArrayBuffer =>
   Object.prototype.toString.call(value) === '[object ArrayBuffer]';
 
 /** Throws LimberError where it is no file of a model. */
-function checkedFile(file: ModelFiles[number], i: number): ModelFiles[number] {
+function checkedFile(file: ModelFiles[number], i: number, which: Which): ModelFiles[number] {
   if (typeof file?.name === 'string' && isBytes(file.bytes)) return file;
-  throw new LimberError(`File ${i + 1} of the model is none: give its name, and its bytes as a Uint8Array.`);
+  throw new LimberError(
+    `File ${i + 1} of the ${which}model is none: give its name, and its bytes as a Uint8Array.`,
+  );
 }
 
 /** The document as a glTF with its buffers and images, exactly as it is in memory. */
-async function filesOfDocument(document: Document): Promise<ModelFiles> {
+async function filesOfDocument(document: Document, which: Which): Promise<ModelFiles> {
   recogniseAccessors(document);
   const used = document.getRoot().listExtensionsUsed();
   const plain = used.filter(({ extensionName }) => !COMPRESSED.test(extensionName));
@@ -68,7 +71,7 @@ async function filesOfDocument(document: Document): Promise<ModelFiles> {
   const takeBuffers = lendBuffers(document);
   const { json, resources } = await io
     .writeJSON(document, { format: Format.GLTF, basename: 'document' })
-    .catch(unwritable)
+    .catch((error: unknown) => refuseDocument(error, which))
     .finally(takeBuffers);
   putTargetNames(json);
   // A document read from a folder can name places that no file of a model may name.
@@ -79,7 +82,7 @@ async function filesOfDocument(document: Document): Promise<ModelFiles> {
   // Data that the worker cannot read stay unchanged in the document.
   const text = new TextEncoder().encode(JSON.stringify({ ...named, extensionsRequired: undefined }));
   const companions = Object.entries(resources).map(([name, bytes]) => ({ name: names.get(name)!, bytes }));
-  return [{ name: 'document.gltf', bytes: text }, ...companions];
+  return [{ name: documentName(which), bytes: text }, ...companions];
 }
 
 /** Temporarily gives accessors without a buffer one, because the writer would drop them. Returns the function that undoes it. */
@@ -95,10 +98,10 @@ function lendBuffers(document: Document): () => void {
   };
 }
 
-function unwritable(error: unknown): never {
+function refuseDocument(error: unknown, which: Which): never {
   const why = error instanceof Error ? error.message : String(error);
   throw new LimberError(
-    `The document cannot be written as a glTF (${why}): mend it, or give the bytes of a model.`,
+    `The ${which}document cannot be written as a glTF (${why}): mend it, or give the bytes of a model.`,
   );
 }
 

@@ -22,6 +22,32 @@ import type {
 /** A model as files, with its companions. */
 export type ModelFiles = SourceFile[];
 
+/** One of several models of a call, in words before "model"; '' for the only one. */
+export type Which = '' | 'first ' | 'second ';
+
+/** The main files of models that callers give as bytes and as documents: these names are unknown to the callers. */
+export const glbName = (which: Which): string => `${which}model.glb`;
+export const documentName = (which: Which): string => `${which}document.gltf`;
+
+const WORDS = new Map(
+  (['', 'first ', 'second '] as const).flatMap((which) => [
+    [glbName(which), `the ${which}model`],
+    [documentName(which), `the ${which}document`],
+  ]),
+);
+
+/** A sentence about these models that names none of their files by a name that the caller does not know. */
+export const inCallersWords = (sentence: string, models: ModelFiles[]): string =>
+  models
+    .flatMap(([main]) => (main ? [main.name] : []))
+    .reduce((text, name) => renamed(text, name, WORDS.get(name)), sentence);
+
+function renamed(sentence: string, name: string, words: string | undefined): string {
+  if (words === undefined) return sentence;
+  const text = sentence.replaceAll(name, words);
+  return sentence.startsWith(name) ? `${text[0].toUpperCase()}${text.slice(1)}` : text;
+}
+
 export interface OptimizeRequest extends OptimizeOptions {
   /** the caller replaces the bodies in a document of its own, instead of getting a GLB */
   wantsBodies: boolean;

@@ -3,7 +3,7 @@
 import type { Core, Progress } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { SettingError, wordSentence } from '../../engine/settings/options';
-import { SERVE_ASSETS } from '../protocol';
+import { inCallersWords, SERVE_ASSETS } from '../protocol';
 import type {
   CoreAddress,
   Failure,
@@ -51,13 +51,13 @@ export class Server {
     try {
       this.end({ value: await this.run(request) });
     } catch (error) {
-      this.fail(error);
+      this.end({ failure: failureOf(error, request.models) });
     }
   }
 
   /** Ends the request with an error, which may arrive outside of it. */
   fail(error: unknown): void {
-    this.end({ failure: failureOf(error) });
+    this.end({ failure: failureOf(error, []) });
   }
 
   /** Sends the final message of a request. A core that cannot start fails twice; the second failure is not for the next request. */
@@ -90,14 +90,14 @@ const isServed = ({ wasmFolder }: CoreAddress): boolean => /^https?:/.test(wasmF
 const notLoaded = ({ wasmFolder }: CoreAddress): string =>
   `The core in ${wasmFolder} cannot be loaded: ${SERVE_ASSETS}`;
 
-/** Callers know settings by their names. Plain Errors of the engine are about the input. */
-function failureOf(error: unknown): Failure {
+/** Callers know settings by their names, and models without a name by their place. Plain Errors of the engine are about the input. */
+function failureOf(error: unknown, models: ModelFiles[]): Failure {
   if (error instanceof SettingError) {
     const name = (setting: string) => setting;
-    const message = wordSentence(error.setting, error.sentence, name);
+    const message = inCallersWords(wordSentence(error.setting, error.sentence, name), models);
     return { message, setting: error.setting, isInternal: false };
   }
-  const message = error instanceof Error ? error.message : String(error);
+  const message = inCallersWords(error instanceof Error ? error.message : String(error), models);
   const isSentence = error instanceof Error && error.constructor === Error;
   return { message, setting: null, isInternal: !isSentence };
 }
