@@ -77,7 +77,7 @@ it('notes that bodies without area have no modes to compare', async () => {
   const line = [textFile('line.obj', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n')];
   const message = await answered({ command: 'compare', models: [line, line], options: { threads: 1 } });
   const { notes } = (message as { value: { notes: string[] } }).value;
-  expect(notes).toEqual(['line: no modes to compare: its triangles have no area']);
+  expect(notes).toEqual(['first model: line: no modes to compare: its triangles have no area']);
 });
 
 it('answers a request once, and tells of files of the core that the caller does not serve, which is no error of ours', async () => {
@@ -114,7 +114,7 @@ it('doubts the size of what is moved where it is implausible in metres', async (
     const message = await answered({ command, models, options: { threads: 1, ...options } });
     return (message as { value: { notes: string[] } }).value.notes;
   };
-  const doubt = /^ring: the body is .* km across: set unit if the file is not in metres$/;
+  const doubt = /^(first model: )?ring: the body is .* km across: set unit if the file is not in metres$/;
   const short = { seconds: 0.05, substeps: 2 };
   expect(await notesOf('simulate', short)).toEqual([]);
   expect(await notesOf('simulate', { ...short, unit: 1000 })).toEqual([expect.stringMatching(doubt)]);
@@ -123,4 +123,18 @@ it('doubts the size of what is moved where it is implausible in metres', async (
       expect.stringMatching(doubt),
     );
   expect(await notesOf('optimize', { unit: 1000 })).toEqual([]);
+});
+
+it('notes which of two models has been welded, and not where there is one', async () => {
+  const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n';
+  const models = [textFile('a.obj', square)];
+  const notesOf = async (command: 'compare' | 'modes', all: ModelFiles[]) => {
+    const message = await answered({ command, models: all, options: { threads: 1 } });
+    return (message as { value: { notes: string[] } }).value.notes;
+  };
+  expect(await notesOf('modes', [models])).toEqual(['2 seam vertices welded']);
+  expect(await notesOf('compare', [models, models])).toEqual([
+    'first model: 2 seam vertices welded',
+    'second model: 2 seam vertices welded',
+  ]);
 });

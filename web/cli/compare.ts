@@ -16,9 +16,9 @@ import { bodyFidelity, compareTopology, measureDistance } from '../engine/stages
 import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
-import { finish, openFile, prepareFile, preparePartners, startSession } from './session';
+import { finish, openFile, prepareFile, preparePartners, startSession, warnOf } from './session';
 import type { Session } from './session';
-import { shownName } from './standard';
+import { shownNames } from './standard';
 import { counted } from '../engine/core/words';
 import { facesChange, list } from './words';
 
@@ -26,13 +26,10 @@ export async function runCompare(args: Arguments): Promise<number> {
   const total = startStopwatch();
   const stopwatch = startStopwatch();
   const session = await startSession(args);
-  const [first, second] = [
-    await openFile(session, args.operands[0]),
-    await openFile(session, args.operands[1]),
-  ];
+  const [first, second] = [await openFile(session), await openFile(session, 1)];
   const load = stopwatch();
   const { originals, others } = preparePairs(session, first, second);
-  session.warnings.push(...comparedWarnings(originals));
+  warnOf(session, 0, comparedWarnings(originals));
   const weld = stopwatch();
   const pairs = originals.map((original, i) => ({ original, other: others[i] }));
   const distances = pairs.map(({ original, other }) => measureDistance(session.core, original, other.mesh));
@@ -82,7 +79,7 @@ function checkPairs(
   others: PreparedBody[],
 ): void {
   if (originals.length === others.length) return;
-  const [a, b] = operands.map((path) => shownName(path));
+  const [a, b] = shownNames(operands);
   throw new UsageError(
     `${a} has ${counted(originals.length, 'body', 'bodies')} and ${b} has ${others.length}: ${command} one with --mesh NAME.`,
   );
@@ -98,7 +95,7 @@ function compareText(
   const isKept = pairs.every(
     ({ original, other }) => compareTopology(original.inspection, other.inspection).kept,
   );
-  const [a, b] = operands.map((path) => shownName(path));
+  const [a, b] = shownNames(operands);
   return list([
     [`${a} -> ${b}`, facesChange(input.faces, output!.faces)],
     ['topology', isKept ? 'the same' : 'different'],

@@ -18,7 +18,7 @@ export async function runInspect(args: Arguments): Promise<number> {
   const total = startStopwatch();
   const stopwatch = startStopwatch();
   const session = await startSession(args);
-  const model = await openFile(session, args.operands[0]);
+  const model = await openFile(session);
   const load = stopwatch();
   const bodies = chosenBodies(model, args.settings).map((i) => model.bodies[i]);
   const inspected = bodies.map((body) => inspectBody(session.core, body, args.settings));

@@ -26,12 +26,11 @@ import { counted } from '../engine/core/words';
 import { table } from './words';
 
 export async function runModes(args: Arguments): Promise<number> {
-  const [input] = args.operands;
   const total = startStopwatch();
   const stopwatch = startStopwatch();
   const session = await startSession(args);
   const { settings } = args;
-  const model = await openFile(session, input);
+  const model = await openFile(session);
   const load = stopwatch();
   const file = prepareFile(session, model);
   const prepared = file.prepared(settings);

@@ -56,8 +56,8 @@ export async function optimizeModel(
   session: Session,
   { total, lap }: Watches,
 ): Promise<Optimized | PassedOn> {
-  const [input, path] = session.args.operands;
-  const model = await openAnyFile(session, input);
+  const [, path] = session.args.operands;
+  const model = await openAnyFile(session);
   const { args, notes } = withoutYielded(session.args, model);
   session.args = args;
   session.warnings.push(...notes);

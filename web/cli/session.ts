@@ -2,8 +2,9 @@
 
 import type { Core } from '../engine/core/core';
 import { openAnyModel, openModel } from '../engine/document/open';
-import type { OpenModel } from '../engine/document/open';
+import type { OpenModel, SourceFile } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
+import { ofModel } from '../engine/report/warnings';
 import type { Warning } from '../engine/report/warnings';
 import { FileRun } from '../engine/stages/file_run';
 import { preparedWarnings } from '../engine/stages/file_warnings';
@@ -16,7 +17,7 @@ import { writeWhole } from './files';
 import { checkFiles } from './inputs';
 import type { CheckedFiles } from './inputs';
 import { checkRoom, sizeOfModel } from './output_files/outputs';
-import { shownName, shownOutput, STANDARD } from './standard';
+import { shownNames, shownOutput, STANDARD } from './standard';
 import { clearProgress, showProgress } from './terminal';
 import { warningLines } from './warnings';
 import { counted } from '../engine/core/words';
@@ -53,21 +54,32 @@ export async function startSession(args: Arguments, host?: SessionHost): Promise
 }
 
 /** Opens the model of an operand and makes sure that there is room for what comes of it. */
-export async function openFile(session: Session, path: string): Promise<OpenModel> {
-  return noted(session, path, await openModel(session.checked.files.get(path)!));
+export async function openFile(session: Session, operand = 0): Promise<OpenModel> {
+  return noted(session, operand, await openModel(filesOf(session, operand)));
 }
 
 /** As `openFile`, but a glTF without triangles opens as a model without bodies. */
-export async function openAnyFile(session: Session, path: string): Promise<OpenModel> {
-  return noted(session, path, await openAnyModel(session.checked.files.get(path)!));
+export async function openAnyFile(session: Session, operand = 0): Promise<OpenModel> {
+  return noted(session, operand, await openAnyModel(filesOf(session, operand)));
 }
 
-/** Adds the notes on a model; where the command reads two, they say on which. */
-function noted({ warnings, checked }: Session, path: string, model: OpenModel): OpenModel {
-  checkRoom(checked.outputs, sizeOfModel(model));
-  const where = checked.files.size > 1 ? `${shownName(path)}: ` : '';
-  warnings.push(...model.notes.map((note) => `${where}${note}`));
+const filesOf = ({ args, checked }: Session, operand: number): SourceFile[] =>
+  checked.files.get(args.operands[operand])!;
+
+function noted(session: Session, operand: number, model: OpenModel): OpenModel {
+  checkRoom(session.checked.outputs, sizeOfModel(model));
+  warnOf(session, operand, model.notes);
   return model;
+}
+
+/** Adds warnings on the model of an operand, which they name where the command reads two. A model that is both of them has them once. */
+export function warnOf({ args, warnings, checked }: Session, operand: number, found: Warning[]): void {
+  if (checked.files.size === 1) {
+    if (operand === 0) warnings.push(...found);
+    return;
+  }
+  const name = shownNames(args.operands)[operand];
+  warnings.push(...found.map((warning) => ofModel(name, warning)));
 }
 
 /** Writes an output. */
@@ -92,21 +104,21 @@ export function describeWritten({ written }: Pick<Session, 'written'>): string {
   return `; ${written.join(', ')} ${written.length === 1 ? 'is' : 'are'} written`;
 }
 
-/** A run over the chosen bodies, prepared. A body without a usable face stays as it is; an error where no other is left. */
-export function prepareFile(session: Session, model: OpenModel): FileRun {
-  const { args, core, warnings } = session;
+/** A run over the chosen bodies of the model of an operand, prepared. A body without a usable face stays as it is; an error where no other is left. */
+export function prepareFile(session: Session, model: OpenModel, operand = 0): FileRun {
+  const { args, core } = session;
   const onActivity = (body: string, triedFaces?: number): void => {
     session.activity = triedFaces === undefined ? body : `${body}, trying ${counted(triedFaces, 'face')}`;
   };
   const guides = args.command === 'optimize';
   const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), guides, onActivity });
-  warnings.push(...preparedWarnings(file, args.settings));
+  warnOf(session, operand, preparedWarnings(file, args.settings));
   return file;
 }
 
 /** As `prepareFile`, of the bodies beside those of the original: see `pairedModel`. */
 export function preparePartners(session: Session, original: OpenModel, other: OpenModel): FileRun {
-  return prepareFile(session, pairedModel(original, other, session.args.settings));
+  return prepareFile(session, pairedModel(original, other, session.args.settings), 1);
 }
 
 /**

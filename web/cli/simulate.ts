@@ -31,9 +31,9 @@ import type { Pairs } from './compare';
 import { EXIT, flagOf, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
 import { readText } from './input_files/read_file';
-import { finish, openFile, prepareFile, save, startSession } from './session';
+import { finish, openFile, prepareFile, save, startSession, warnOf } from './session';
 import type { Session } from './session';
-import { shownName } from './standard';
+import { shownNames } from './standard';
 import { grouped } from '../engine/core/words';
 import { list } from './words';
 
@@ -45,12 +45,12 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const stopwatch = startStopwatch();
   const carried = readCarried(args);
   const session = await startSession(args);
-  const first = await openFile(session, args.operands[0]);
-  const second = args.operands.length > 1 ? await openFile(session, args.operands[1]) : null;
+  const first = await openFile(session);
+  const second = args.operands.length > 1 ? await openFile(session, 1) : null;
   const load = stopwatch();
   const sides = prepareSides(session, first, second);
   const { originals, others } = sides;
-  if (carried.tuning === null) session.warnings.push(...sizeWarnings(sides.file, args.settings, flagOf));
+  if (carried.tuning === null) warnOf(session, 0, sizeWarnings(sides.file, args.settings, flagOf));
   const setups = setUpMotions(session, sides, carried);
   const weld = stopwatch();
   const factors = calibrationFactors(session, sides);
@@ -161,7 +161,7 @@ export function setUpMotions(
     const trouble = findPinProblem(settings.scenario, original.mesh, pinned);
     if (trouble) {
       const told = describePinProblem(trouble, settings.scenario, flagText);
-      session.warnings.push(ofBody(original.body.name, told, originals.length > 1));
+      warnOf(session, 0, [ofBody(original.body.name, told, originals.length > 1)]);
     }
     const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
     return { pinned, binding, solvers: solversOf(settings, original, others?.[i] ?? null, tuning) };
@@ -229,15 +229,16 @@ function simulateText(
   const { material, solver, tuned, scenario, substeps, original, optimized } = simulation!;
   const tuning = tuned === undefined ? '' : tuned ? ', tuned' : ', untuned';
   const made = solver ? `${profileOf(solver).label}${tuning}` : MATERIAL_WORDS[material];
+  const [first, second] = shownNames(operands);
   const what = bodies.length > 1 ? `${bodies.length} bodies` : bodies[0].body.name;
   return list([
     ['scenario', `${scenario}, ${settings.seconds} s, ${made}, ${substeps} substeps, ${what}`],
-    [shownName(operands[0]), cost(original)],
+    [first, cost(original)],
     ...(calibration ?? []).map(({ body, factor }): [string, string] => [
       'calibrated stiffness',
       `x ${factor.toFixed(4)}${bodies.length > 1 ? `, ${body}` : ''}`,
     ]),
-    ...(optimized ? pairRows(shownName(operands[1]), optimized, simulation!) : []),
+    ...(optimized ? pairRows(second, optimized, simulation!) : []),
   ]);
 }
 

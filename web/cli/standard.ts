@@ -7,6 +7,13 @@ export const STANDARD = '-';
 
 /** A file of the command line as it is called in messages. */
 export const shownName = (path: string): string => (path === STANDARD ? 'stdin' : basename(path));
+
+/** The models of a command as they are called in messages: by their paths where their file names are equal. */
+export function shownNames(paths: string[]): string[] {
+  const names = paths.map(shownName);
+  return new Set(names).size < names.length ? paths : names;
+}
+
 export const shownOutput = (path: string): string => (path === STANDARD ? 'stdout' : path);
 
 /** All that is piped in. Throws UsageError where that is nothing. */

@@ -18,23 +18,20 @@ import { preparePairs } from './compare';
 import type { Pairs } from './compare';
 import { EXIT, flagOf, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
-import { finish, openFile, save, startSession } from './session';
+import { finish, openFile, save, startSession, warnOf } from './session';
 import type { Session } from './session';
-import { shownName, shownOutput } from './standard';
+import { shownNames, shownOutput } from './standard';
 import { counted, grouped } from '../engine/core/words';
 
 export async function runTune(args: Arguments): Promise<number> {
   const path = args.settingsFile!;
   const [total, stopwatch] = [startStopwatch(), startStopwatch()];
   const session = await startSession(args);
-  const [first, second] = [
-    await openFile(session, args.operands[0]),
-    await openFile(session, args.operands[1]),
-  ];
+  const [first, second] = [await openFile(session), await openFile(session, 1)];
   const load = stopwatch();
   const pairs = prepareTuning(session, first, second);
   const { originals, others } = pairs;
-  session.warnings.push(...sizeWarnings(pairs.file, args.settings, flagOf));
+  warnOf(session, 0, sizeWarnings(pairs.file, args.settings, flagOf));
   const weld = stopwatch();
   const tuned = tuneFile(session, pairs);
   const tune = stopwatch();
@@ -50,7 +47,7 @@ export async function runTune(args: Arguments): Promise<number> {
   const solver = args.settings.solver as SolverName;
   const [errors, ...motion] = describeTuning(solver, found.fidelity.solvers[solver]!);
   const seconds = `${report.timings.total.toFixed(1)} s -> ${shownOutput(path)}`;
-  finish(session, report, [`${shownName(args.operands[1])}: ${errors}`, ...motion, seconds].join('\n'));
+  finish(session, report, [`${shownNames(args.operands)[1]}: ${errors}`, ...motion, seconds].join('\n'));
   return EXIT.done;
 }
 
@@ -82,7 +79,7 @@ function tuneFile({ core, args }: Session, { file, others }: Pairs): TunedBody[]
 function checkFaces({ operands }: Arguments, { mesh, body }: PreparedBody, other: PreparedBody): void {
   const [before, after] = [faceCount(mesh), faceCount(other.mesh)];
   if (after <= before) return;
-  const [a, b] = operands.map((operand) => shownName(operand));
+  const [a, b] = shownNames(operands);
   throw new UsageError(
     `"${body.name}" has ${counted(before, 'face')} in ${a} and ${grouped(after)} in ${b}: name the original first.`,
   );

@@ -1,5 +1,6 @@
-/** Warnings, one line for all bodies that have the same one. */
+/** Warnings, one line for all bodies of a model that have the same one. */
 
+import { inModel } from '../engine/report/warnings';
 import type { Warning } from '../engine/report/warnings';
 import { grouped } from '../engine/core/words';
 
@@ -13,7 +14,7 @@ export function warningLines(warnings: Warning[], isVerbose: boolean): string[] 
   const groups = new Map<string, Warning[]>();
   warnings.forEach((warning, i) => {
     const isAlone = isVerbose || typeof warning === 'string';
-    const key = isAlone ? `${i}` : `: ${warning.text.replace(NUMBER, '#')}`;
+    const key = isAlone ? `${i}` : inModel(warning, `: ${warning.text.replace(NUMBER, '#')}`);
     const group = groups.get(key);
     if (group) group.push(warning);
     else groups.set(key, [warning]);
@@ -24,11 +25,12 @@ export function warningLines(warnings: Warning[], isVerbose: boolean): string[] 
 function lineOf(group: Warning[]): string {
   const bodies = group.filter((warning) => typeof warning !== 'string');
   if (bodies.length === 0) return group[0] as string;
-  if (bodies.length === 1) return bodies[0].alone;
+  const [first] = bodies;
+  if (bodies.length === 1) return inModel(first, first.alone);
   const text = spanOf(bodies.map((one) => one.text));
   const which = `${grouped(bodies.length)} bodies`;
   // A number is that of one body, and not of all together.
-  return text.search(NUMBER) < 0 ? `${which}: ${text}` : `each of ${which}: ${text}`;
+  return inModel(first, text.search(NUMBER) < 0 ? `${which}: ${text}` : `each of ${which}: ${text}`);
 }
 
 /** The text with the smallest and largest number at each place where the texts differ. */

@@ -7,6 +7,8 @@ export interface BodyWarning {
   text: string;
   /** the whole line where no other body has the same warning */
   alone: string;
+  /** the model of the body, where a run reads several */
+  model?: string;
 }
 
 export type Warning = string | BodyWarning;
@@ -24,6 +26,14 @@ export function ofSentence(sentence: string): Warning {
   return found ? { body: found[1], text: found[2], alone: sentence } : sentence;
 }
 
+/** The warning with the name of the model that it is about, for a run that reads several. */
+export const ofModel = (model: string, warning: Warning): Warning =>
+  typeof warning === 'string' ? `${model}: ${warning}` : { ...warning, model };
+
 /** The warning as a line of its own. */
 export const lineAlone = (warning: Warning): string =>
-  typeof warning === 'string' ? warning : warning.alone;
+  typeof warning === 'string' ? warning : inModel(warning, warning.alone);
+
+/** A text on the body of a warning, after the name of its model where it has one. */
+export const inModel = ({ model }: BodyWarning, text: string): string =>
+  model === undefined ? text : `${model}: ${text}`;

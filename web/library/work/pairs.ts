@@ -36,12 +36,12 @@ export async function compareModels(
   [first, second]: ModelFiles[],
 ): Promise<Reported<CompareReport>> {
   const { core, settings, notes } = session;
-  const models = [await session.open(first), await session.open(second)];
+  const models = [await session.open(first, 'first '), await session.open(second, 'second ')];
   const load = session.lap();
-  const originals = session.prepare(models[0]).prepared(settings);
+  const originals = session.prepare(models[0], { which: 'first ' }).prepared(settings);
   const others = session.preparePartners(models[0], models[1]).prepared(settings);
   checkPairs(originals, others);
-  session.warn(comparedWarnings(originals));
+  session.warn(comparedWarnings(originals), 'first ');
   const weld = session.lap();
   const distances = originals.map((original, i) => measureDistance(core, original, others[i].mesh));
   const measure = session.lap();
@@ -60,13 +60,13 @@ export async function compareModels(
 
 export async function tuneModel(session: WorkSession, [first, second]: ModelFiles[]): Promise<TuneResult> {
   const { core, settings, notes } = session;
-  const [original, coarse] = [await session.open(first), await session.open(second)];
+  const [original, coarse] = [await session.open(first, 'first '), await session.open(second, 'second ')];
   const load = session.lap();
-  const file = session.prepare(original);
+  const file = session.prepare(original, { which: 'first ' });
   const originals = file.prepared(settings);
   const others = session.preparePartners(original, coarse).prepared(settings);
   checkPairs(originals, others);
-  session.warn(sizeWarnings(file, settings, nameOf));
+  session.warn(sizeWarnings(file, settings, nameOf), 'first ');
   const weld = session.lap();
   const tuned = tuneFile(session, file, others);
   const tune = session.lap();

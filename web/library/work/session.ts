@@ -6,14 +6,14 @@ import type { Core, Progress } from '../../engine/core/core';
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
-import { lineAlone } from '../../engine/report/warnings';
+import { lineAlone, ofModel } from '../../engine/report/warnings';
 import type { Warning } from '../../engine/report/warnings';
 import { wordNote } from '../../engine/settings/options';
 import type { Note, SettingName, Settings } from '../../engine/settings/options';
 import { FileRun } from '../../engine/stages/file_run';
 import { preparedWarnings } from '../../engine/stages/file_warnings';
 import type { StageProgress } from '../options';
-import type { ModelFiles } from '../protocol';
+import type { ModelFiles, Which } from '../protocol';
 
 /** Callers know settings by their names. */
 export const nameOf = (setting: SettingName): string => setting;
@@ -40,9 +40,9 @@ export class WorkSession {
     this.onProgress({ ...this.where, phase, fraction });
   }
 
-  async open(files: ModelFiles): Promise<OpenModel> {
+  async open(files: ModelFiles, which: Which = ''): Promise<OpenModel> {
     const model = await openModel(files);
-    this.notes.push(...model.notes);
+    this.warn(model.notes, which);
     return model;
   }
 
@@ -52,7 +52,10 @@ export class WorkSession {
   }
 
   /** A run over the chosen bodies, prepared; `guides`: see FileRunOptions; one without a usable face stays as it is. Throws where no other is left. */
-  prepare(model: OpenModel, { guides = false } = {}): FileRun {
+  prepare(
+    model: OpenModel,
+    { guides = false, which = '' }: { guides?: boolean; which?: Which } = {},
+  ): FileRun {
     const onStage = (stage: string): void => {
       // A stage that only passes on the value of another one has no progress of its own.
       if (stage.endsWith(' where wanted')) return;
@@ -65,17 +68,19 @@ export class WorkSession {
     const options = { chosen: this.chosen(model), guides, onActivity, onStage, caller: 'library' } as const;
     const file = new FileRun(this.core, model, options);
     this.files.push(file);
-    this.warn(preparedWarnings(file, this.settings));
+    this.warn(preparedWarnings(file, this.settings), which);
     return file;
   }
 
   /** As `prepare`, of the bodies beside those of the original: see `pairedModel`. */
   preparePartners(original: OpenModel, other: OpenModel): FileRun {
-    return this.prepare(pairedModel(original, other, this.settings));
+    return this.prepare(pairedModel(original, other, this.settings), { which: 'second ' });
   }
 
-  warn(warnings: Warning[]): void {
-    this.notes.push(...warnings.map(lineAlone));
+  /** `which`: of the models of a call with two, the one that the warnings are about. */
+  warn(warnings: Warning[], which: Which = ''): void {
+    const named = which === '' ? warnings : warnings.map((warning) => ofModel(`${which}model`, warning));
+    this.notes.push(...named.map(lineAlone));
   }
 
   /** Releases the handles of the runs in the core. */

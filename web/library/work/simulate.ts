@@ -16,6 +16,7 @@ import { describePinProblem, findPinProblem } from '../../engine/motion/pin_prob
 import { readBinding } from '../../engine/report/binding_file';
 import { meshReport } from '../../engine/report/mesh_report';
 import { calibrationReport, simulationReport } from '../../engine/report/motion_report';
+import { ofBody } from '../../engine/report/warnings';
 import { startReport } from '../../engine/report/report';
 import type { SettingsFile } from '../../engine/report/settings_file';
 import { readSettingsFile } from '../../engine/report/settings_reader';
@@ -53,17 +54,18 @@ export async function simulateModels(
 ): Promise<SimulateResult> {
   const { core, settings, notes } = session;
   checkCarried(options, settings, second !== undefined);
-  const original = await session.open(first);
-  const other = second ? await session.open(second) : null;
+  const which = second ? 'first ' : '';
+  const original = await session.open(first, which);
+  const other = second ? await session.open(second, 'second ') : null;
   const load = session.lap();
-  const file = session.prepare(original);
+  const file = session.prepare(original, { which });
   const originals = file.prepared(settings);
   const others = other && session.preparePartners(original, other).prepared(settings);
   if (others) checkPairs(originals, others);
   const sides = { file, originals, others };
   const weld = session.lap();
   const carried = readCarried(session, sides, options);
-  if (carried.tuning === null) session.warn(sizeWarnings(file, settings, nameOf));
+  if (carried.tuning === null) session.warn(sizeWarnings(file, settings, nameOf), which);
   const calibration = session.lap();
   const motions = moveBodies(session, sides, { ...carried, records: options.records ?? false });
   const simulate = session.lap();
@@ -131,14 +133,16 @@ function moveBodies(
   { file, originals, others }: Sides,
   { bindings, factors, tuning, records }: Carried & { records: boolean },
 ): MotionComparison[] {
-  const { core, settings, notes } = session;
+  const { core, settings } = session;
   return file.usable.map(({ run }, i) => {
     const original = originals[i];
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
     const trouble = findPinProblem(settings.scenario, original.mesh, pinned);
-    if (trouble)
-      notes.push(`${original.body.name}: ${describePinProblem(trouble, settings.scenario, settingText)}`);
+    if (trouble) {
+      const told = describePinProblem(trouble, settings.scenario, settingText);
+      session.warn([ofBody(original.body.name, told)], others ? 'first ' : '');
+    }
     const solvers = solversOf(session.settings, original, others?.[i] ?? null, tuning);
     return core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),
