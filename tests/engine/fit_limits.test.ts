@@ -47,6 +47,14 @@ describe('a fit to the surface with limits', () => {
     expect(fitReport([fitted])).toEqual({ fit: { kind: 'surface', unfitted: [fitted.unfitted] } });
   });
 
+  it('is none where it changes nothing', () => {
+    const { fitted } = reduced(torus(), torus().triangles.length / 3, { fit });
+    expect(fitReport([fitted])).toEqual({});
+    expect(fitReport([fitted, reduced(torus(), 200, { fit }).fitted])).toMatchObject({
+      fit: { kind: 'surface' },
+    });
+  });
+
   it('respects the smallest angle', () => {
     const minAngle = 25;
     expect(reduced(torus(), 200, { fit }).quality.minAngle).toBeLessThan(minAngle);

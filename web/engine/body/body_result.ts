@@ -24,7 +24,7 @@ export interface Certificate {
 }
 
 export interface FittedResult extends Fitted {
-  /** how it was fitted, or was to be fitted; only a modal fit knows frequency errors */
+  /** how it was fitted, or was to be fitted; `off` also where a fit to the surface changes nothing; only a modal fit knows frequency errors */
   kind: Settings['fit'];
   /** why the result, or parts of it, stay as the collapses left them; '' where all parts are fitted or none is to be */
   unfitted: string;

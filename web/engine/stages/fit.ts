@@ -78,7 +78,7 @@ export function fitResult(
     const fitted = fitWithin(core, prepared, result, { ...request, settings, share });
     const meshes: BeforeAndAfter = [result.mesh, fitted.result.mesh];
     if (keepsAngle(core, meshes, settings) && keepsDeviation(core, prepared, meshes, settings))
-      return asFitted(fitted, settings);
+      return asFitted(fitted, result, settings);
   }
   return unfitted(result, kindOf(settings), 'the fit would break a limit of deviation or angle');
 }
@@ -96,16 +96,20 @@ export function fitWithinDeviation(
   const isKept =
     isWithinDeviation(core, prepared, mesh, settings.maxDeviation) &&
     keepsAngle(core, [result.mesh, mesh], settings);
-  return isKept ? asFitted(fitted, settings) : null;
+  return isKept ? asFitted(fitted, result, settings) : null;
 }
 
 const kindOf = ({ shell }: FitSettings): FittedResult['kind'] => (shell === null ? 'surface' : 'modal');
 
-const asFitted = (fitted: Fitted, settings: FitSettings): FittedResult => ({
+/** A fit to the surface that changes nothing is none. */
+const asFitted = (fitted: Fitted, before: MeshAt, settings: FitSettings): FittedResult => ({
   ...fitted,
-  kind: kindOf(settings),
+  kind: settings.shell === null && isUnchanged(fitted, before) ? 'off' : kindOf(settings),
   unfitted: describeUnfitted(fitted),
 });
+
+const isUnchanged = ({ result: { mesh }, flips }: Fitted, before: MeshAt): boolean =>
+  flips === 0 && mesh.positions.every((value, i) => value === before.mesh.positions[i]);
 
 /** The shares to try; Infinity is a fit without the limit, which comes first because it is fast and mostly stays within it. */
 function sharesOf({ maxDeviation }: FitSettings, isNearLimit = false): number[] {
