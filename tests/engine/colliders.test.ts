@@ -12,18 +12,17 @@ it('reads floors, balls and capsules', () => {
   });
 });
 
-it.each([
-  'floor:1',
-  'ground',
-  'ground:1,2',
-  'ball:1,2,3',
-  'ball:1,2,3,0',
-  'capsule:0,0,0,1,0,0,',
-  'ball:1,2,x,1',
-])('refuses %s with the forms', (text) => {
-  expect(() => collisionSceneOf(text)).toThrow(
-    `“Can touch” has "${text}": give ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joined by +.`,
-  );
+it.each(['floor:1', 'ground', 'ground:1,2', 'ball:1,2,3', 'capsule:0,0,0,1,0,0,', 'ball:1,2,x,1'])(
+  'refuses %s with the forms',
+  (text) => {
+    expect(() => collisionSceneOf(text)).toThrow(
+      `“Can touch” has "${text}": give ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joined by +.`,
+    );
+  },
+);
+
+it.each(['ball:1,2,3,0', 'capsule:0,0,0,1,0,0,-1'])('refuses %s with the range', (text) => {
+  expect(() => collisionSceneOf(text)).toThrow(`“Can touch” has "${text}": give a radius above 0.`);
 });
 
 it('refuses an empty term', () => {

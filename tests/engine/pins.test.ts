@@ -93,7 +93,7 @@ describe('pins', () => {
     );
   });
 
-  it.each(['low', 'low:', 'low:x', 'low:101', 'box:1,2,3', 'vertices:1.5', 'vertices:', 'top:5'])(
+  it.each(['low', 'low:', 'low:x', 'low:1,2', 'box:1,2,3', 'vertices:', 'top:5'])(
     '"%s" is refused with the forms',
     (text) => {
       expect(() => checkSettings({ ...defaultSettings(), pins: text })).toThrow(
@@ -101,6 +101,16 @@ describe('pins', () => {
       );
     },
   );
+
+  it.each([
+    ['low:200', 'a percentage from 0 to 100'],
+    ['high:-1', 'a percentage from 0 to 100'],
+    ['vertices:1.5', 'numbers of vertices, which are whole and begin at 0'],
+    ['vertices:0,-1', 'numbers of vertices, which are whole and begin at 0'],
+  ])('"%s" is refused with the range', (text, range) => {
+    const message = `“Held in place” has "${text}": give ${range}.`;
+    expect(() => checkSettings({ ...defaultSettings(), pins: `low:5+${text}` })).toThrow(message);
+  });
 
   it.each(['low:5+', '+low:5', 'low:5++high:5', '+'])('"%s" is refused for its empty term', (text) => {
     expect(() => checkSettings({ ...defaultSettings(), pins: text })).toThrow(

@@ -18,15 +18,17 @@ const FORMS = 'ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joine
 export const parseColliders = (text: string): ColliderTerm[] =>
   parseTerms(text, { setting: 'colliders', forms: FORMS, termOf });
 
-/** null where the numbers do not fit the kind */
-function termOf(kind: string, value: string): ColliderTerm | null {
+/** See TermRules. */
+function termOf(kind: string, value: string): ColliderTerm | string | null {
   const numbers = numbersIn(value);
   if (numbers === null) return null;
   if (kind === 'ground' && numbers.length === 1) return { kind, height: numbers[0] };
   const point = (i: number): Point => [numbers[i], numbers[i + 1], numbers[i + 2]];
+  const isBall = kind === 'ball' && numbers.length === 4;
+  if (!isBall && !(kind === 'capsule' && numbers.length === 7)) return null;
   const radius = numbers[numbers.length - 1];
-  if (!(radius > 0)) return null;
-  if (kind === 'ball' && numbers.length === 4) return { kind, centre: point(0), radius };
-  if (kind === 'capsule' && numbers.length === 7) return { kind, from: point(0), to: point(3), radius };
-  return null;
+  if (!(radius > 0)) return 'a radius above 0';
+  return isBall
+    ? { kind: 'ball', centre: point(0), radius }
+    : { kind: 'capsule', from: point(0), to: point(3), radius };
 }

@@ -30,19 +30,21 @@ export function parsePins(text: string, setting: SettingName = 'pins'): PinTerms
   return terms;
 }
 
-/** null where the value has not the form of its kind */
-function termOf(kind: string, value: string): PinTerm | null {
+/** See TermRules. */
+function termOf(kind: string, value: string): PinTerm | string | null {
   if (value === '') return null;
   if (kind === 'attribute') return { kind, name: value };
   const numbers = numbersIn(value);
   if (numbers === null) return null;
   if (kind === 'low' || kind === 'high') {
     const [percent] = numbers;
-    return numbers.length === 1 && percent >= 0 && percent <= 100 ? { kind, percent } : null;
+    if (numbers.length !== 1) return null;
+    return percent >= 0 && percent <= 100 ? { kind, percent } : 'a percentage from 0 to 100';
   }
   if (kind === 'box') return numbers.length === 6 ? boxOf(numbers.slice(0, 3), numbers.slice(3)) : null;
-  const areVertices = kind === 'vertices' && numbers.every((n) => Number.isInteger(n) && n >= 0);
-  return areVertices ? { kind, vertices: numbers } : null;
+  if (kind !== 'vertices') return null;
+  const areVertices = numbers.every((n) => Number.isInteger(n) && n >= 0);
+  return areVertices ? { kind, vertices: numbers } : 'numbers of vertices, which are whole and begin at 0';
 }
 
 /** The box of two opposite corners, in either order. */
