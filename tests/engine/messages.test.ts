@@ -174,6 +174,10 @@ test('nothing is shown without the table', () => {
   expect(bare.filter((literal) => !BARE_EXEMPT.test(literal))).toEqual([]);
 });
 
+test('nothing that is shown names a flag of the command line', () => {
+  expect(Object.keys(JAPANESE).filter((key) => /(^|\s)--[a-z]/.test(key))).toEqual([]);
+});
+
 test('a sentence has its values in both languages', () => {
   expect(say('Keep {count} faces', { count: '1,000' })).toBe('Keep 1,000 faces');
   expect(sayCounted(1, '{count} part', '{count} parts')).toBe('1 part');

@@ -2,6 +2,7 @@
 
 import { beforeEach, expect, it, vi } from 'vitest';
 import { openAddress, openDropped } from '../../web/app/files/files';
+import { applySettings } from '../../web/app/files/settings_file';
 import { loadSamples, samples } from '../../web/app/files/samples';
 import type { SourceFile } from '../../web/engine/document/open';
 
@@ -48,6 +49,11 @@ it('files of several folders are kept apart', async () => {
   const model = () => [fileEntry('scene.gltf'), fileEntry('scene.bin')];
   await drop(folderEntry('a', ...model()), folderEntry('b', ...model()));
   expect(page.opened).toEqual([['a/scene.gltf', 'a/scene.bin', 'b/scene.gltf', 'b/scene.bin']]);
+});
+
+it('a damaged settings file is to be saved again by its button', () => {
+  applySettings({ name: 'sheet.settings.json', bytes: new TextEncoder().encode('{') });
+  expect(page.complaints).toEqual(['sheet.settings.json is not JSON: save it again with “Save settings”.']);
 });
 
 it('a file that cannot be read is reported', async () => {

@@ -33,10 +33,13 @@ function entryNamed({ bodies }: SettingsFile, name: string): BodySettings | null
   return first.find((body) => body.name === name) ?? (first.length === 1 ? first[0] : null);
 }
 
+/** How damaged files are made anew: the button is that of the Export step. */
+const CURE = 'save it again with “Save settings”';
+
 /** Applies a settings file to the open model and shows the model in motion. */
 export function applySettings({ name, bytes }: SourceFile): void {
   try {
-    const file = readSettingsFile(name, new TextDecoder().decode(bytes));
+    const file = readSettingsFile(name, new TextDecoder().decode(bytes), CURE);
     if (!results.body.value)
       throw new Error(
         say('{name} is a settings file for {solver}: open its model first.', {

@@ -623,7 +623,7 @@ const ROWS = {
     flag: 'lod-style',
     label: 'Levels go into',
     default: 'files',
-    help: 'Where the levels of --lods go: files (OUT_lod1 and so on), msft (into OUT by MSFT_lod), nodes (into OUT as nodes NAME_LOD0, NAME_LOD1 and so on, all shown at once by a viewer that does not know these names).',
+    help: 'Where further levels go: files (of their own, with _lod1 and so on at the end of their names), msft (into the file of the result, by MSFT_lod), nodes (into it as nodes NAME_LOD0, NAME_LOD1 and so on, all shown at once by a viewer that does not know these names).',
     group: 'output',
     isOfPerson: true,
     choices: LEVEL_STYLES,

@@ -112,8 +112,8 @@ export const ENGINE: MessageTable = {
   'a number from {least} to {most}': '{least} から {most} までの数値',
   'a whole number from {least} to {most}': '{least} から {most} までの整数',
   // web/engine/report/settings_reader.ts
-  '{name} {problem}: write it again with limber optimize --settings.':
-    '{name} は使えない設定ファイルです ({problem})。limber optimize --settings で書き出し直してください。',
+  '{name} {problem}: save it again with “Save settings”.':
+    '{name} は使えない設定ファイルです ({problem})。「設定を保存」で保存し直してください。',
   'is not JSON': 'JSON 形式ではありません',
   'is not a {schema}': '{schema} ではありません',
   'is for "{solver}", which is not one of {known}': '「{solver}」用ですが、対応しているのは {known} です',

@@ -28,8 +28,8 @@ export const EXPORT_FORMS: MessageTable = {
   'Not run: it reads only GLB and glTF.': '検証の対象外です (GLB と glTF のみ検証できます)。',
   'Levels of detail': '詳細度 (LOD)',
   'Levels go into': 'LOD の保存先',
-  'Where the levels of --lods go: files (OUT_lod1 and so on), msft (into OUT by MSFT_lod), nodes (into OUT as nodes NAME_LOD0, NAME_LOD1 and so on, all shown at once by a viewer that does not know these names).':
-    '--lods の各レベルの保存先です。files (OUT_lod1 など)、msft (MSFT_lod として OUT の中)、nodes (NAME_LOD0、NAME_LOD1 などのノードとして OUT の中。名前を解釈しないビューアーではすべて表示されます)。',
+  'Where further levels go: files (of their own, with _lod1 and so on at the end of their names), msft (into the file of the result, by MSFT_lod), nodes (into it as nodes NAME_LOD0, NAME_LOD1 and so on, all shown at once by a viewer that does not know these names).':
+    '追加の LOD の保存先です。files (名前の末尾が _lod1 などの別ファイル)、msft (MSFT_lod として結果のファイルの中)、nodes (NAME_LOD0、NAME_LOD1 などのノードとして同じファイルの中。名前を解釈しないビューアーではすべて表示されます)。',
   'separate files': '個別のファイル',
   'nodes NAME_LOD0, _LOD1 ...': 'ノード NAME_LOD0、_LOD1 ...',
   'One additional file for each level: NAME_lod1 and so on.':
