@@ -45,6 +45,16 @@ describe('the queue of a scene', () => {
     expect(queue.targets(20)).toEqual([10, 10]);
   });
 
+  it('takes equal bodies down together where many of their steps have one error', () => {
+    const twin = { curve: curveOf([0.1, 0.2, 0.2, 0.2, 0.2, 0.3]), scale: 1, limit: 0 };
+    const queue = new SceneQueue([twin, { ...twin }, { ...twin, scale: 2 }]);
+    for (let target = queue.faces; target >= queue.fewest; --target) {
+      const [one, other] = queue.targets(target);
+      expect(other - one).toBeGreaterThanOrEqual(0);
+      expect(other - one).toBeLessThanOrEqual(2);
+    }
+  });
+
   it('lets bodies that reach their limit wait for all others', () => {
     const limited = bodies.map((body) => ({ ...body, limit: 25 }));
     // Beyond 0.25 of their diagonals: 0.9 of the first body, 0.3 of the second.

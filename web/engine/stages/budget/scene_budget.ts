@@ -19,12 +19,15 @@ interface Waiting {
   isBeyond: boolean;
   /** of that entry, in units of the scene */
   error: number;
+  /** of the steps on the curve, up to that entry */
+  share: number;
 }
 
 /**
  * The order in which all bodies lose their faces, smallest error first. Steps beyond the limit of their body come
- * after all others; then the smaller error in units of the scene comes first; ties go to the lower index. So at any count the
- * largest error of the scene is the smallest that is possible with these curves.
+ * after all others; then the smaller error in units of the scene comes first; of equal ones, that of the body which has taken the smaller
+ * share of its steps, so that equal bodies stay equal up to a step; then the lower index. So at any count the largest error of the scene is
+ * the smallest that is possible with these curves.
  */
 export class SceneQueue {
   /** bodies[i]: the body that takes the i-th step; left[i]: the faces of the scene, as written, after it */
@@ -70,7 +73,7 @@ export class SceneQueue {
       if (entry >= curve.ends.length) return;
       const error = curve.errors[entry];
       const isBeyond = limit > 0 && error > (limit / 100) * curve.diagonal;
-      heap.push({ body, entry, isBeyond, error: scale * error });
+      heap.push({ body, entry, isBeyond, error: scale * error, share: entry / (curve.ends.length - 1) });
     };
     this.scene.forEach((_, body) => push(body, 1));
     let left = this.total;
@@ -87,7 +90,8 @@ export class SceneQueue {
 
 const comesFirst = (a: Waiting, b: Waiting): boolean => {
   if (a.isBeyond !== b.isBeyond) return b.isBeyond;
-  return a.error !== b.error ? a.error < b.error : a.body < b.body;
+  if (a.error !== b.error) return a.error < b.error;
+  return a.share !== b.share ? a.share < b.share : a.body < b.body;
 };
 
 /** A binary heap with the first one on top. */
