@@ -239,6 +239,26 @@ describe('a body whose faces are wound in different ways', () => {
   });
 });
 
+describe('a mesh that no node shows', () => {
+  it('keeps its faces, which count in no number of faces', async () => {
+    const document = startDocument();
+    for (const name of ['shown', 'stored']) addMesh(document, name, [primitiveOf(document, grid(8, 8))]);
+    document.getRoot().listNodes()[1].dispose();
+    const { counts, report } = await optimize(document, {}, { faces: 40 });
+    expect(counts).toEqual([[40], [128]]);
+    expect([report.input.faces, report.output!.faces]).toEqual([128, 40]);
+    const { notes } = await openModel([await glbFile(document)]);
+    expect(notes).toEqual(['mesh "stored" is left unchanged, because no node shows it']);
+  });
+
+  it('is a body where no node shows any', async () => {
+    const document = startDocument();
+    addMesh(document, 'stored', [primitiveOf(document, grid(8, 8))]);
+    document.getRoot().listNodes()[0].dispose();
+    expect((await optimize(document, {}, { faces: 40 })).counts).toEqual([[40]]);
+  });
+});
+
 describe('a file of many parts', () => {
   it('is guided in each of them, and gives the same bytes again', async () => {
     const settings = { fit: 'off' as const };

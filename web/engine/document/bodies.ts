@@ -27,7 +27,7 @@ interface Gathering {
 }
 
 /**
- * The bodies, and notes on meshes without triangles. `most`: the most vertices, and the most corners, of all bodies together: meshes
+ * The bodies, and notes on meshes that are none: those without triangles, and those that no node shows where others are shown. `most`: the most vertices, and the most corners, of all bodies together: meshes
  * that share their data could ask for any number. Throws an Error that names the mesh and primitive if data are broken.
  */
 export function bodiesOfDocument(
@@ -59,7 +59,11 @@ export function bodiesOfDocument(
       ...(scaling.isEven ? {} : { isScaledUnevenly: true }),
     });
   }
-  return { bodies, notes: describeWithout(without) };
+  const meshes = document.getRoot().listMeshes();
+  const shown = bodies.filter(({ mesh }) => nodes.has(meshes[mesh]));
+  if (shown.length === 0) return { bodies, notes: describeWithout(without) };
+  const unseen = bodies.filter(({ mesh }) => !nodes.has(meshes[mesh])).map(({ name }) => name);
+  return { bodies: shown, notes: [...describeWithout(without), ...describeUnseen(unseen)] };
 }
 
 /** Names that several meshes share, as copies of an object often do: only their nodes tell them apart. */
@@ -73,6 +77,17 @@ function repeatedNames(document: Document): Set<string> {
   return repeated;
 }
 
+/** A note on meshes that no node shows; none where there are none. */
+function describeUnseen(names: string[]): string[] {
+  if (names.length === 0) return [];
+  if (names.length === 1) return [`mesh "${names[0]}" is left unchanged, because no node shows it`];
+  const shown = listed(names.map((name) => `"${name}"`));
+  return [`${names.length} meshes (${shown}) are left unchanged, because no node shows them`];
+}
+
+const listed = (names: string[]): string =>
+  names.slice(0, NAMES_SHOWN).join(', ') + (names.length > NAMES_SHOWN ? ', ...' : '');
+
 /** One note for all meshes without triangles for the same reasons. */
 function describeWithout(meshes: { name: string; reasons: string }[]): string[] {
   const byReasons = new Map<string, string[]>();
@@ -83,8 +98,7 @@ function describeWithout(meshes: { name: string; reasons: string }[]): string[] 
   return [...byReasons].map(([reasons, names]) => {
     const why = reasons === '' ? '' : ` (${reasons})`;
     if (names.length === 1) return `mesh ${names[0]} has no triangles${why}`;
-    const shown = names.slice(0, NAMES_SHOWN).join(', ') + (names.length > NAMES_SHOWN ? ', ...' : '');
-    return `${names.length} meshes (${shown}) have no triangles${why}`;
+    return `${names.length} meshes (${listed(names)}) have no triangles${why}`;
   });
 }
 

@@ -59,6 +59,10 @@ export const FILE_NOTES: MessageTable = {
   '{count} meshes ({names}) have no triangles': 'メッシュ {count} 個 ({names}) に三角形がありません',
   '{count} meshes ({names}) have no triangles ({reasons})':
     'メッシュ {count} 個 ({names}) に三角形がありません ({reasons})',
+  'mesh {name} is left unchanged, because no node shows it':
+    'メッシュ {name} はどのノードにも表示されないため、そのままにします',
+  '{count} meshes ({names}) are left unchanged, because no node shows them':
+    'メッシュ {count} 個 ({names}) はどのノードにも表示されないため、そのままにします',
   '{count} primitive of points skipped': '点のプリミティブ {count} 個を読み飛ばし',
   '{count} primitives of points skipped': '点のプリミティブ {count} 個を読み飛ばし',
   '{count} primitive of lines skipped': '線のプリミティブ {count} 個を読み飛ばし',
