@@ -61,14 +61,14 @@ def fetch(storage, name):
 
 
 def run_limber(limber, files, base, options):
-    """The bytes of the result and the sentences of limber; None instead of bytes if it failed."""
+    """The bytes of the result and the warnings of limber, also on what was not fetched; None instead of bytes if it failed."""
     with tempfile.TemporaryDirectory() as folder:
         for path, data in files.items():
             target = pathlib.Path(folder, "in", path)
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)
         result = os.path.join(folder, "out.glb")
-        command = [*limber, "optimize", os.path.join(folder, "in", base), result, "--threads", "1", "--quiet", *options]
+        command = [*limber, "optimize", os.path.join(folder, "in", base), result, "--threads", "1", *options]
         run = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         # 2: written, but short of a target.
         data = pathlib.Path(result).read_bytes() if run.returncode in (0, 2) else None
