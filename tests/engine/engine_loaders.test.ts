@@ -36,6 +36,7 @@ interface Settings {
   solver: string;
   bodies: {
     mesh: { positions: number[]; triangles: number[] };
+    mass: { perVertex: number[] };
     stretch: { constant: number; pairs: number[]; factors?: number[] };
     bend: { constant: number; hinges: number[]; factors?: number[] };
     vertex?: { stretch: number[]; bend: number[] };
@@ -116,6 +117,23 @@ describe('a flap in the engine, loaded from a settings file', () => {
     const found = flapIn(python.mujoco!, 'mujoco', settings);
     expect(Math.abs(found / flapFrequency(stiffness) - 1.5)).toBeLessThan(0.015);
   });
+
+  it.skipIf(!python.mujoco)(
+    'has masses and factors of its own beside other bodies in one model of MuJoCo',
+    () => {
+      const stiffness = (plate * LENGTH * LENGTH) / AREAS;
+      const settings = settingsOf('mujoco', { young, poisson, thickness }, stiffness);
+      const [first] = settings.bodies;
+      const last = structuredClone(first);
+      last.bend.factors = [2.25];
+      first.bend.factors = [9];
+      first.stretch.factors = [4, 4];
+      first.mass.perVertex = [5, 5, 5, 5];
+      settings.bodies.push(last);
+      const found = flapIn(python.mujoco!, 'mujoco', settings);
+      expect(Math.abs(found / flapFrequency(stiffness) - 1.5)).toBeLessThan(0.015);
+    },
+  );
 
   it.skipIf(!python.newton)(
     'swings in Newton with the hinge edge_ke l, within 1 %',

@@ -1,7 +1,7 @@
 """Runs a loader of docs/engines: flap.py mujoco|newton|blender SETTINGS.json VERTEX. Prints the frequency of a flap in Hz.
 
 The first body of the settings is flat, in the plane z = 0, and only VERTEX is not pinned: it swings as the flap of one
-hinge. Exits with 3 and a sentence where the engine is not installed.
+hinge. In MuJoCo it is the last of several bodies, all in one model. Exits with 3 and a sentence where the engine is not installed.
 """
 
 import importlib
@@ -23,12 +23,20 @@ BLENDER_FRAME = 0.001**0.5
 def flap_in_mujoco(settings, vertex):
     import mujoco
 
-    from load_mujoco import load_mujoco
+    from load_mujoco import flexcomp, load_mujoco, set_values
 
     model = load_mujoco(settings, timestep=STEP)
+    bodies = settings["bodies"]
+    if len(bodies) > 1:
+        flexes = "".join(flexcomp(body, f"flex {k}") for k, body in enumerate(bodies))
+        option = f'<option timestep="{STEP}" integrator="discrete"><flag contact="disable"/></option>'
+        model = mujoco.MjModel.from_xml_string(f"<mujoco>{option}<worldbody>{flexes}</worldbody></mujoco>")
+        for k, body in enumerate(bodies):
+            set_values(model, body, k)
+        mujoco.mj_setConst(model, mujoco.MjData(model))
     model.opt.gravity[:] = 0
     data = mujoco.MjData(model)
-    address = model.body_dofadr[model.flex_vertbodyid[vertex]]
+    address = model.body_dofadr[model.flex_vertbodyid[model.flex_vertadr[-1] + vertex]]
     data.qpos[address + 2] = LIFT
     heights = []
     for _ in range(round(SECONDS / STEP)):
