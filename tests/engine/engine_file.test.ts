@@ -6,6 +6,7 @@ import { parseArguments } from '../../web/cli/arguments';
 import type { Arguments } from '../../web/cli/arguments';
 import { engineOfText } from '../../web/cli/engine_file';
 import { settingsFile, writeSettings } from '../../web/engine/report/settings_file';
+import { parseEngine } from '../../web/engine/settings/engine_text';
 import { MATERIALS } from '../../web/engine/settings/materials';
 import { tunedBody } from './support/tuned_sheet';
 
@@ -60,6 +61,23 @@ describe("a file of an engine's parameters", () => {
     expect(settingsOf()).toMatchObject({ ...SILK, engine: expect.stringMatching(/^compliance=[^,]+$/) });
     expect(settingsOf('--material-preset', 'rubber')).toMatchObject(MATERIALS.rubber);
     expect(settingsOf('--density', '7')).toMatchObject({ ...SILK, density: 7 });
+  });
+
+  it('lets another material do so as well where the file does not list the given ones', () => {
+    const file = join(folder, 'earlier.json');
+    const { given, ...earlier } = settingsFile([sheet()], { ...SILK, bendRatio: 0.05, engine: '' });
+    expect(given).toEqual([]);
+    writeFileSync(file, JSON.stringify(earlier));
+    const words = ['tune', 'a.obj', 'b.obj', '--solver', 'jolt', '--settings', 'o.json', '--engine', file];
+    const namesOf = (...more: string[]) =>
+      Object.keys(parseEngine((parseArguments([...words, ...more]) as Arguments).settings.engine));
+    const all = Object.keys(earlier.engine);
+    const without = (...names: string[]) => all.filter((name) => !names.includes(name));
+    expect(namesOf()).toEqual(all);
+    expect(namesOf('--density', '7')).toEqual(without('invMass'));
+    expect(namesOf('--young', '1e7').filter((name) => /compliance/i.test(name))).toEqual([]);
+    expect(namesOf('--young', '1e7')).toContain('invMass');
+    expect(namesOf('--material-preset', 'rubber')).not.toContain('invMass');
   });
 
   it('says what is not a number, and where', () => {

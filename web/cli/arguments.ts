@@ -1,6 +1,7 @@
 /** Parses the words of a command line into a command with its operands, settings and flags. */
 
 import { parseArgs } from 'node:util';
+import { ENGINE_MATERIAL } from '../engine/body/material';
 import { coreMemory } from '../engine/core/memory_size';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
 import { checkSettings, OPTIONS, settingsOf, SOLVER_SETTINGS } from '../engine/settings/options';
@@ -274,7 +275,9 @@ function presetNamed(name: string | undefined): PresetName | null {
 function readEngine(values: Map<string, string>): Partial<Settings> {
   const value = values.get('engine');
   if (value === undefined) return {};
-  const { text, material } = engineFromFile(value);
+  const named = readMaterial(values);
+  const others = ENGINE_MATERIAL.filter((name) => name in named || values.has(OPTIONS[name].flag));
+  const { text, material } = engineFromFile(value, others);
   values.set('engine', text);
   return material;
 }

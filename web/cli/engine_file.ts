@@ -21,24 +21,28 @@ interface GivenEngine {
   material: Partial<EngineMaterial>;
 }
 
-/** What --engine gives: itself, or the content of the file that it names. */
-export function engineFromFile(value: string): GivenEngine {
+/** What --engine gives: itself, or the content of the file that it names. `others`: the properties of the material that other flags give. */
+export function engineFromFile(value: string, others: readonly (keyof EngineMaterial)[]): GivenEngine {
   if (fileOfEngine(value) === null) return { text: value, material: {} };
   if (!value.includes('.') && !existsSync(value))
     throw new UsageError(
       `--engine ${value} is neither name=value nor a file: give name=value, separated by commas.`,
     );
-  return engineOfText(value, readText(value));
+  return engineOfText(value, readText(value), others);
 }
 
-/** What a file of parameters gives. Throws UsageError, or an Error of the reader of settings files. */
-export function engineOfText(file: string, content: string): GivenEngine {
+/** What a file of parameters gives, see `engineFromFile`. Throws UsageError, or an Error of the reader of settings files. */
+export function engineOfText(
+  file: string,
+  content: string,
+  others: readonly (keyof EngineMaterial)[] = [],
+): GivenEngine {
   const text = content.trim();
   if (!text.startsWith('{')) return { text: textOfLines(text), material: {} };
   const values = parsed(file, text);
   if (!isSettingsFile(values)) return { text: textOfValues(file, values), material: {} };
   const settings = readSettingsFile(basename(file), text);
-  return { text: engineText(originalParameters(settings)), material: originalMaterial(settings) };
+  return { text: engineText(originalParameters(settings, others)), material: originalMaterial(settings) };
 }
 
 function parsed(file: string, text: string): object {
