@@ -2,8 +2,9 @@
 
 import { beforeEach, expect, it, vi } from 'vitest';
 import { openAddress, openDropped } from '../../web/app/files/files';
-import { applySettings } from '../../web/app/files/settings_file';
+import { applySettings, entryOf } from '../../web/app/files/settings_file';
 import { loadSamples, samples } from '../../web/app/files/samples';
+import type { BodySettings } from '../../web/engine/report/settings_file';
 import type { SourceFile } from '../../web/engine/document/open';
 
 const page = vi.hoisted(() => {
@@ -49,6 +50,17 @@ it('files of several folders are kept apart', async () => {
   const model = () => [fileEntry('scene.gltf'), fileEntry('scene.bin')];
   await drop(folderEntry('a', ...model()), folderEntry('b', ...model()));
   expect(page.opened).toEqual([['a/scene.gltf', 'a/scene.bin', 'b/scene.gltf', 'b/scene.bin']]);
+});
+
+it('of several entries with one name, that of the mesh is applied', () => {
+  const bodies = [3, 1].map((meshNumber) => ({ name: 'cloth', level: 0, meshNumber }) as BodySettings);
+  expect([1, 3, 7].map((mesh) => entryOf({ bodies }, { name: 'cloth', mesh }))).toEqual([
+    bodies[1],
+    bodies[0],
+    bodies[0],
+  ]);
+  expect(entryOf({ bodies }, { name: 'sail', mesh: 1 })).toBe(null);
+  expect(entryOf({ bodies: [bodies[0]] }, { name: 'sail', mesh: 1 })).toBe(bodies[0]);
 });
 
 it('a damaged settings file is to be saved again by its button', () => {

@@ -102,6 +102,26 @@ describe('the settings of a mesh that was read from its own file', () => {
     expect([...result.masses!]).toEqual(Array.from({ length: count }, (_, v) => 10 + v));
   });
 
+  it('are those of the mesh in the file where several bodies are equal', () => {
+    const copies = [2, 1, 0].map((meshNumber) => {
+      const mass = { rule: 'area' as const, perVertex: Array<number>(count).fill(1 + meshNumber) };
+      return { ...entry(), meshNumber, mass };
+    });
+    const massOf = (number: number, bodies: BodySettings[]) => {
+      const prepared = prepareBody(core, { ...bodyOf(mesh), mesh: number }, defaultSettings());
+      return solversOfSettings({ ...fileOf(bodies[0]), bodies }, grid(2, 2), prepared, 1).result.masses![0];
+    };
+    expect([0, 1, 2].map((number) => massOf(number, copies))).toEqual([1, 2, 3]);
+    // Files of the first versions do not have it, and a mesh may have moved to another place.
+    expect(
+      massOf(
+        0,
+        copies.map(({ meshNumber: _, ...earlier }) => earlier),
+      ),
+    ).toBe(3);
+    expect(massOf(9, copies)).toBe(3);
+  });
+
   it('leave the original the parameters that it was tuned to', () => {
     const { original } = solversFor(entry());
     expect(original).toEqual({

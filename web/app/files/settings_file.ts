@@ -5,7 +5,7 @@ import { originalMaterial, originalParameters } from '../../engine/report/origin
 import { readSettingsFile } from '../../engine/report/settings_reader';
 import { firstLevel } from '../../engine/report/settings_file';
 import type { BodySettings, SettingsFile } from '../../engine/report/settings_file';
-import type { SourceFile } from '../../engine/document/open';
+import type { Body, SourceFile } from '../../engine/document/open';
 import { engineText, engineValues } from '../../engine/settings/engine_text';
 import { profileOf } from '../../engine/solvers/profiles';
 import { complain } from '../state/running';
@@ -27,10 +27,15 @@ function engineAskedBy(file: SettingsFile): string {
 const facesIn = ({ bodies }: SettingsFile): number =>
   firstLevel(bodies).reduce((sum, { mesh }) => sum + mesh.triangles.length / 3, 0);
 
-/** The entry for the body of this name; in a file with one body, which may have been renamed, its only entry. */
-function entryNamed({ bodies }: SettingsFile, name: string): BodySettings | null {
+/** The entry for the body of this name, of several that of its mesh; in a file with one body, which may have been renamed, its only entry. */
+export function entryOf(
+  { bodies }: Pick<SettingsFile, 'bodies'>,
+  { name, mesh }: Pick<Body, 'name' | 'mesh'>,
+): BodySettings | null {
   const first = firstLevel(bodies);
-  return first.find((body) => body.name === name) ?? (first.length === 1 ? first[0] : null);
+  const named = first.filter((body) => body.name === name);
+  const own = named.find(({ meshNumber }) => meshNumber === mesh) ?? named[0];
+  return own ?? (first.length === 1 ? first[0] : null);
 }
 
 /** How damaged files are made anew: the button is that of the Export step. */
@@ -60,7 +65,7 @@ function show(name: string, file: SettingsFile, engine: string): void {
   const rule = file.bodies[0].mass.original ?? 'auto';
   const massRule = rule === profileOf(solver).mass ? 'auto' : rule;
   const { inspection, scale } = results.body.value!;
-  const entry = entryNamed(file, results.file.value!.bodies[wants.body.value].name);
+  const entry = entryOf(file, results.file.value!.bodies[wants.body.value]);
   const [faces, own] = [facesIn(file), inspection.faces];
   const originalFaces = (entry ?? file).original.faces;
   const isSame = entry !== null && own === originalFaces;

@@ -58,7 +58,7 @@ const isOfUnit = (entry: BodySettings, unit: number): boolean => Math.abs(entry.
 
 /**
  * The entry of a body among all levels: one with its numbers of vertices and faces; of several one that has its unit too, and whose
- * vertices are nearest.
+ * vertices are nearest; of equally near ones, as copies with one name have them, that of its mesh in the file.
  */
 function entryOf(bodies: BodySettings[], result: PreparedBody, unit: number): BodySettings {
   const { body, mesh } = result;
@@ -73,7 +73,9 @@ function entryOf(bodies: BodySettings[], result: PreparedBody, unit: number): Bo
   const candidates = ofUnit.length > 0 ? ofUnit : found;
   if (candidates.length > 0) {
     const distances = candidates.map((entry) => distanceOf(entry, result));
-    return candidates[distances.indexOf(Math.min(...distances))];
+    const least = Math.min(...distances);
+    const nearest = candidates.filter((_, i) => distances[i] === least);
+    return nearest.find(({ meshNumber }) => meshNumber === body.mesh) ?? nearest[0];
   }
   throw new Error(
     `The settings are not of "${body.name}" with ${counted(faceCount(mesh), 'face')}: take those that were written with this file.`,
