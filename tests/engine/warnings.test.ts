@@ -77,6 +77,25 @@ it('say what a solver moves if a node scales its mesh non-uniformly, and nothing
   file.dispose();
 });
 
+it('say that a solver moves one of the scales at which the scene shows a mesh', async () => {
+  const document = startDocument();
+  addMesh(document, 'once', [primitiveOf(document, torus())]);
+  const mesh = addMesh(document, 'often', [primitiveOf(document, torus())]);
+  const scene = document.getRoot().listScenes()[0];
+  for (const scale of [1, 3, 0.5])
+    scene.addChild(document.createNode().setMesh(mesh).setScale([scale, scale, scale]));
+  const file = new FileRun(await loadTestCore(1), await openModel([await glbFile(document)]));
+  const linesFor = (solver: 'none' | 'jolt') =>
+    preparedWarnings(file, { ...defaultSettings(), solver })
+      .map(lineAlone)
+      .filter((line) => line.includes('scale'));
+  expect(linesFor('none')).toEqual([]);
+  expect(linesFor('jolt')).toEqual([
+    'often: the scene shows it at scales from 0.5 to 3, but mesh, masses and settings for the solver are for 1 alone: give copies of another scale a mesh of their own',
+  ]);
+  file.dispose();
+});
+
 describe('the line of progress', () => {
   it('is drawn on terminals that can go back in a line, and on nothing else', () => {
     expect(canRedraw({ isTTY: true }, 'xterm-256color')).toBe(true);

@@ -21,6 +21,20 @@ export function instanceScale(document: Document, mesh: Mesh): number {
   return nodes.length > 0 && Number.isFinite(sum) ? Math.sqrt(sum) : 1;
 }
 
+/** The smallest and the largest scale at which the scenes show a mesh, instances included; 0 hides it. null where nothing shows it. */
+export function scaleRange(document: Document, mesh: Mesh): { least: number; most: number } | null {
+  let [least, most] = [Infinity, 0];
+  for (const node of document.getRoot().listNodes()) {
+    if (node.getMesh() !== mesh) continue;
+    const ofNode = squaredScale(node);
+    forEachInstance(node, (ofInstance) => {
+      const square = ofNode * ofInstance;
+      if (square > 0) [least, most] = [Math.min(least, square), Math.max(most, square)];
+    });
+  }
+  return least <= most && Number.isFinite(most) ? { least: Math.sqrt(least), most: Math.sqrt(most) } : null;
+}
+
 /** The squared scale of a node's mesh: of a skinned mesh by its joints, because its own node is ignored. */
 function squaredScale(node: Node): number {
   const skin = node.getSkin();
@@ -37,17 +51,21 @@ function squareOf(matrix: ArrayLike<number>): number {
 
 /** The sum of the squared scales of the node's instances; 1 where it is not instanced. */
 function instances(node: Node): number {
+  let sum = 0;
+  forEachInstance(node, (square, count) => (sum += count * square));
+  return sum;
+}
+
+/** Calls `use` with the squared scales of the node's instances, and how many have each; once with 1 where it is not instanced. */
+function forEachInstance(node: Node, use: (square: number, count: number) => void): void {
   const extension = instancesOf(node);
   const count = countOf(extension);
-  if (!extension || count === null) return 1;
-  const scales = extension.getAttribute('SCALE');
-  if (!scales) return count;
-  let sum = 0;
+  const scales = extension?.getAttribute('SCALE');
+  if (count === null || !scales) return use(1, count ?? 1);
   for (let i = 0; i < scales.getCount(); ++i) {
     const [x, y, z]: number[] = scales.getElement(i, [] as number[]);
-    sum += (x * x + y * y + z * z) / 3;
+    use((x * x + y * y + z * z) / 3, 1);
   }
-  return sum;
 }
 
 /** The attributes of EXT_mesh_gpu_instancing on a node. */
