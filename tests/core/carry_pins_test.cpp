@@ -9,6 +9,7 @@
 
 #include "shapes.h"
 #include "simulate/scenario.h"
+#include "transfer/shape_transfer.h"
 
 namespace limber {
 namespace {
@@ -122,6 +123,38 @@ TEST(CarryPins, aPinnedRegionStaysOnTheSheetOfItsBinding) {
   }
   const Pins pins = carryPins(original, pinned, result, binding);
   EXPECT_EQ(pins.vertices, (std::vector<uint32_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_TRUE(pins.points.empty());
+}
+
+// A block that stands on a plate of two triangles a side, all of whose vertices are pinned.
+TriangleMesh blockOnPlate(int cells) {
+  TriangleMesh block = shapes::box(cells, cells, cells, 1.0 / cells);
+  TriangleMesh plate = shapes::box(1, 1, 1, 1);
+  for (Vec3& p : plate.positions) p = {4 * p.x - 2, 4 * p.y - 2, 0.1 * (p.z - 1)};
+  return shapes::together(plate, block);
+}
+
+std::vector<uint32_t> cornersOfPlate() {
+  return {0, 1, 2, 3, 4, 5, 6, 7};
+}
+
+TEST(CarryPins, aBodyKeepsItsPinsWherePinnedTrianglesTouchAnotherPart) {
+  const TriangleMesh body = blockOnPlate(4);
+  ASSERT_EQ(shapes::box(1, 1, 1, 1).vertexCount(), cornersOfPlate().size());
+  EXPECT_EQ(carryPins(body, cornersOfPlate(), body).vertices, cornersOfPlate());
+}
+
+// Only the top of the block is bound, so that the triangles at its base look for their pins themselves.
+TEST(CarryPins, aPartOnAPinnedOneIsNotPinnedWhereNothingIsBoundToIt) {
+  const TriangleMesh original = blockOnPlate(4), result = blockOnPlate(2);
+  const std::vector<ClosestPoint> closest = closestPoints(original, result);
+  std::vector<SurfacePoint> binding;
+  for (uint32_t v = 0; v < original.vertexCount(); ++v) {
+    const bool isBound = v < cornersOfPlate().size() || original.positions[v].z > 0.9;
+    binding.push_back(isBound ? SurfacePoint(closest[v]) : SurfacePoint{kNone, {0, 0, 0}});
+  }
+  const Pins pins = carryPins(original, cornersOfPlate(), result, binding);
+  EXPECT_EQ(pins.vertices, cornersOfPlate());
   EXPECT_TRUE(pins.points.empty());
 }
 

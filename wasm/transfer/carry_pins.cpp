@@ -54,30 +54,67 @@ PinnedRegion pinnedRegion(const TriangleMesh& mesh, std::span<const uint32_t> pi
   return region;
 }
 
+// For each triangle of the result the index of the nearest one, across edges and vertices, that is marked:
+// its own if it is marked itself, kNone if its part has none.
+std::vector<uint32_t> nearestMarked(const TriangleMesh& result, const std::vector<uint8_t>& isMarked) {
+  const Topology topology = buildIncidence(result);
+  std::vector<uint32_t> nearest(result.triangleCount(), kNone), queue;
+  for (uint32_t t = 0; t < result.triangleCount(); ++t) {
+    if (!isMarked[t]) continue;
+    nearest[t] = t;
+    queue.push_back(t);
+  }
+  for (size_t next = 0; next < queue.size(); ++next)
+    for (const uint32_t v : result.triangles[queue[next]])
+      for (const uint32_t t : topology.trianglesAround(v)) {
+        if (nearest[t] != kNone) continue;
+        nearest[t] = nearest[queue[next]];
+        queue.push_back(t);
+      }
+  return nearest;
+}
+
 // Finds the points of the original that correspond to points of the result: on the sheet given by the
 // binding, or the closest points overall.
 class OriginalPoints {
  public:
   OriginalPoints(const TriangleMesh& original, const TriangleMesh& result,
                  std::span<const SurfacePoint> binding)
-      : tree_(original), starts_(binding.empty() ? 0 : result.triangleCount()) {
+      : original_(original), tree_(original), starts_(binding.empty() ? 0 : result.triangleCount()) {
     if (binding.empty()) return;
     topology_ = buildTopology(original);
     walk_ = std::make_unique<SurfaceWalk>(original, topology_);
+    std::vector<uint8_t> hasStarts(result.triangleCount(), 0);
     for (uint32_t v = 0; v < original.vertexCount(); ++v)
-      if (binding[v].triangle != kNone && !topology_.trianglesAround(v).empty())
+      if (binding[v].triangle != kNone && !topology_.trianglesAround(v).empty()) {
         starts_[binding[v].triangle].push_back(topology_.trianglesAround(v)[0]);
+        hasStarts[binding[v].triangle] = 1;
+      }
+    nearest_ = nearestMarked(result, hasStarts);
   }
 
-  // For a point in a triangle of the result.
+  // For a point in a triangle of the result. If no vertex is bound to the triangle, the closest point overall
+  // counts where it is on the part of the original that the nearest bound vertices belong to: another part
+  // may touch this one.
   ClosestPoint find(const Vec3& point, uint32_t triangle) const {
-    if (!walk_ || starts_[triangle].empty()) return tree_.closest(point);
-    return walk_->closest(point, starts_[triangle], [](uint32_t, uint32_t) { return true; });
+    if (!walk_ || nearest_[triangle] == kNone) return tree_.closest(point);
+    const std::vector<uint32_t>& starts = starts_[nearest_[triangle]];
+    if (nearest_[triangle] != triangle) {
+      const ClosestPoint closest = tree_.closest(point);
+      if (componentOf(closest.triangle) == componentOf(starts[0])) return closest;
+    }
+    return walk_->closest(point, starts, [](uint32_t, uint32_t) { return true; });
   }
 
  private:
+  uint32_t componentOf(uint32_t triangle) const {
+    return topology_.componentOfVertex[original_.triangles[triangle][0]];
+  }
+
+  const TriangleMesh& original_;
   ClosestPointTree tree_;
   std::vector<std::vector<uint32_t>> starts_;  // per triangle of the result: triangles of the original
+  std::vector<uint32_t> nearest_;  // per triangle of the result: the nearest one with starts, in its part
   Topology topology_;
   std::unique_ptr<SurfaceWalk> walk_;
 };
@@ -182,6 +219,15 @@ void addPoint(const SurfacePoint& point, const TriangleMesh& result, Pins& pins)
     pins.points.push_back(point);
 }
 
+bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.triangles == b.triangles && a.positions == b.positions;
+}
+
+void sortUnique(std::vector<uint32_t>& values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 bool comesBefore(const SurfacePoint& a, const SurfacePoint& b) {
   return a.triangle != b.triangle ? a.triangle < b.triangle
                                   : std::lexicographical_compare(a.barycentric, a.barycentric + 3,
@@ -194,6 +240,11 @@ Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, c
                std::span<const SurfacePoint> binding) {
   check(original, pinned, result);
   Pins pins;
+  if (isSame(original, result)) {
+    pins.vertices.assign(pinned.begin(), pinned.end());
+    sortUnique(pins.vertices);
+    return pins;
+  }
   const Bodies bodies{original, result, binding};
   const std::vector<SurfacePoint> points = resultPoints(bodies, pinned);
   const PinnedRegion region = pinnedRegion(original, pinned);
@@ -210,8 +261,7 @@ Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, c
   }
   for (size_t i = 0; i < pinned.size(); ++i)
     if (!isCovered[i]) addPoint(points[i], result, pins);
-  std::sort(pins.vertices.begin(), pins.vertices.end());
-  pins.vertices.erase(std::unique(pins.vertices.begin(), pins.vertices.end()), pins.vertices.end());
+  sortUnique(pins.vertices);
   std::sort(pins.points.begin(), pins.points.end(), comesBefore);
   return pins;
 }

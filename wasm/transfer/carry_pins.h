@@ -17,9 +17,10 @@ namespace limber {
 // where these coincide.
 //
 // `pinned`: vertices of the original. `binding`: a point of the result for each vertex of the original, with
-// kNone as the triangle if it has none; if empty, closest points at rest are used. Vertices of the returned
-// pins are unique and ascend. Throws std::invalid_argument for a pin that the original does not have, and if
-// a result without triangles is to be pinned.
+// kNone as the triangle if it has none; if empty, closest points at rest are used. An original that is its
+// own result keeps its pins. Vertices of the returned pins are unique and ascend. Throws
+// std::invalid_argument for a pin that the original does not have, and if a result without triangles is to be
+// pinned.
 Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& result,
                std::span<const SurfacePoint> binding = {});
 
