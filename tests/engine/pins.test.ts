@@ -112,6 +112,10 @@ describe('pins', () => {
     expect(() => checkSettings({ ...defaultSettings(), pins: `low:5+${text}` })).toThrow(message);
   });
 
+  it('may have blanks around the + that joins them', () => {
+    expect(parsePins('low:5 + high:6')).toEqual(parsePins('low:5+high:6'));
+  });
+
   it.each(['low:5+', '+low:5', 'low:5++high:5', '+'])('"%s" is refused for its empty term', (text) => {
     expect(() => checkSettings({ ...defaultSettings(), pins: text })).toThrow(
       '“Held in place” has a + that does not join two terms: remove it, or give low:PCT, ',

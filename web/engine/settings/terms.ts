@@ -13,7 +13,7 @@ export interface TermRules<Term extends object> {
 
 /** The terms of a text; none for an empty one. Throws SettingError with the forms. */
 export const parseTerms = <Term extends object>(text: string, rules: TermRules<Term>): Term[] =>
-  text === '' ? [] : text.split('+').map((term) => parseTerm(term, rules));
+  text === '' ? [] : text.split('+').map((term) => parseTerm(term.trim(), rules));
 
 function parseTerm<Term extends object>(text: string, { setting, forms, termOf }: TermRules<Term>): Term {
   if (text === '')
