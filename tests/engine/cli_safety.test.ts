@@ -259,10 +259,11 @@ describe('pipes', () => {
   it('are sniffed: the format of a text without a name follows from its beginning', () => {
     const { code, stdout } = limber('inspect -', { input: readFileSync(path('torus.obj')) });
     expect([code, stdout.split('\n')[0]]).toEqual([0, 'stdin: OBJ, 1 body']);
-    expect(limber('inspect -', { input: new Uint8Array() })).toMatchObject({
-      code: 1,
-      stderr: 'limber: stdin is empty: export it again.\n',
-    });
+    for (const words of ['inspect -', 'inspect - --from obj'])
+      expect(limber(words, { input: new Uint8Array() })).toMatchObject({
+        code: 1,
+        stderr: 'limber: stdin is empty: pipe a model into it, or name a file.\n',
+      });
     expect(limber('compare - -').stderr).toMatch(/^limber: stdin can be read only once/);
     expect(limber('optimize torus.obj - --json').stderr).toMatch(
       /^limber: stdout takes the model or the report/,

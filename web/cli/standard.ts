@@ -23,7 +23,9 @@ export async function readStandard(
   if (stream.isTTY) throw new UsageError('stdin is a terminal: pipe a model into it, or name a file.');
   const chunks: Uint8Array[] = [];
   for await (const chunk of stream) chunks.push(chunk);
-  return new Uint8Array(Buffer.concat(chunks));
+  const bytes = new Uint8Array(Buffer.concat(chunks));
+  if (bytes.length === 0) throw new UsageError('stdin is empty: pipe a model into it, or name a file.');
+  return bytes;
 }
 
 /** Refuses uses of stdin and stdout that exclude each other. */
