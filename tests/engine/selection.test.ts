@@ -61,6 +61,9 @@ describe('the bodies that are chosen', () => {
     expect(await failureOf(() => choose({ mesh: 'window', materialName: 'Glass' }))).toBe(
       'test.glb has no body of material "Glass" alone: it has "Glass", "Metal".',
     );
+    expect(await failureOf(() => choose({ mesh: 'plain', materialName: 'Glass' }))).toBe(
+      'test.glb has no body of material "Glass" alone: it has faces without a material.',
+    );
     expect(await failureOf(() => choose({ exclude: '*' }))).toMatch(/^test\.glb has no body besides "\*": /);
   });
 });

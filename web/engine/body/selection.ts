@@ -53,7 +53,7 @@ function materialsOf({ document }: OpenModel, { mesh, spans }: Body): string[] {
 }
 
 function refusal({ name }: OpenModel, what: string, found: string[]): Error {
-  const names = [...new Set(found)].map((one) => `"${one}"`);
+  const names = [...new Set(found)].map((one) => (one === '' ? 'faces without a material' : `"${one}"`));
   const more = names.length > NAMES_SHOWN ? `, and ${names.length - NAMES_SHOWN} more` : '';
   return new Error(`${name} has no body ${what}: it has ${names.slice(0, NAMES_SHOWN).join(', ')}${more}.`);
 }
