@@ -268,7 +268,7 @@ describe('meshes that cannot be tuned are refused with one sentence:', () => {
     ],
     [
       ['tune', 'torus.obj', 'wave.obj', '--settings', 'x.json'],
-      /^--settings needs a solver: --solver shell\|/,
+      /^limber tune needs a solver: --solver shell\|/,
     ],
     [
       ['tune', 'torus.obj', 'wave.obj', '--solver', 'jolt'],

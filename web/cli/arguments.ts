@@ -251,7 +251,7 @@ function checkSolverFlags(command: Command, settings: Settings, values: Map<stri
     const flag = flags.find((name) => values.has(name));
     if (command === 'tune' || flag !== undefined)
       throw new UsageError(
-        `${flag ? `--${flag}` : 'limber tune'} needs a solver: --solver ${SOLVER_NAMES.join('|')}.`,
+        `${command === 'tune' ? 'limber tune' : `--${flag}`} needs a solver: --solver ${SOLVER_NAMES.join('|')}.`,
       );
   } else if (command === 'tune' && !values.has('settings'))
     throw new UsageError('limber tune needs a file for what it finds: --settings FILE.');

@@ -26,7 +26,12 @@ export interface CommandSpec {
   /** defaults that differ from the engine's */
   defaults: Partial<Settings>;
   /** what a setting means here, where that differs from the table of settings */
-  words?: Partial<Record<SettingName, Pick<Flag, 'help' | 'group'>>>;
+  words?: Partial<Record<SettingName, SettingWords>>;
+}
+
+interface SettingWords extends Pick<Flag, 'help' | 'group'> {
+  /** where the default of the setting means nothing here */
+  hidesDefault?: true;
 }
 
 const REPORT: Flag = {
@@ -83,7 +88,7 @@ const COMMON: Flag[] = [
     help: 'Memory limit of the core, such as 512M or 2G: a model that needs more is refused before any work. Default and maximum: 4G.',
     group: 'common',
   },
-  { name: 'quiet', help: 'Print nothing but errors.', group: 'common' },
+  { name: 'quiet', help: 'Print nothing but errors and missed targets.', group: 'common' },
   {
     name: 'verbose',
     help: 'Print every warning on a line of its own; without this, bodies with the same warning share a line.',
@@ -132,6 +137,12 @@ const CHOSEN: CommandSpec['words'] = {
   },
 };
 
+const NOT_COMBINED: SettingWords = {
+  help: 'Not used here, where modes are not combined.',
+  group: 'motion',
+  hidesDefault: true,
+};
+
 export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   optimize: {
     operands: ['IN', 'OUT'],
@@ -171,9 +182,12 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   tune: {
     operands: ['A', 'B'],
     summary: 'Find the solver parameters with which B moves like A.',
-    flags: [SETTINGS, ...COMMON],
+    flags: [{ ...SETTINGS, help: `Has to be given. ${SETTINGS.help}` }, ...COMMON],
     defaults: {},
-    words: CHOSEN,
+    words: {
+      ...CHOSEN,
+      solver: { help: `Has to be given. ${OPTIONS.solver.help}`, group: 'solver', hidesDefault: true },
+    },
   },
   modes: {
     operands: ['IN'],
@@ -188,7 +202,14 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       ...COMMON,
     ],
     defaults: COMMAND_DEFAULTS.modes,
-    words: CHOSEN,
+    words: {
+      ...CHOSEN,
+      modes: {
+        help: 'Elastic modes that --shapes writes: numbers from 1 separated by commas, all, or auto (the first six).',
+        group: 'motion',
+      },
+      ...{ modeWeights: NOT_COMBINED, p: NOT_COMBINED, strainThreshold: NOT_COMBINED },
+    },
   },
   compare: {
     operands: ['A', 'B'],
@@ -243,10 +264,11 @@ export function flagsOf(command: Command): Flag[] {
 
 function flagOfSetting(command: Command, setting: SettingName): Flag {
   const option: OptionSpec = OPTIONS[setting];
-  const { help, group } = COMMAND_SPECS[command].words?.[setting] ?? option;
+  const { help, group, hidesDefault }: SettingWords = COMMAND_SPECS[command].words?.[setting] ?? option;
   if (option.kind === 'switch') return { name: option.flag, help, group };
   const value = option.placeholder ?? rulesOf(option).placeholder(option);
-  return { name: option.flag, value, help: `${help}${describeDefault(command, setting)}`, group };
+  const usual = hidesDefault ? '' : describeDefault(command, setting);
+  return { name: option.flag, value, help: `${help}${usual}`, group };
 }
 
 function describeDefault(command: Command, setting: SettingName): string {

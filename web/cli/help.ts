@@ -40,7 +40,7 @@ function overview(): string {
     'limber help COMMAND (or limber COMMAND --help) lists the options of a command; limber completion',
     'bash|zsh|fish prints a completion script for that shell.',
     '',
-    'IN and OUT can be -, which means stdin and stdout.',
+    'A file can be -, but not in a batch: that is stdin for IN, A or B, and stdout for OUT.',
     '',
     'Exit codes: 0 done, 1 bad input or option, 2 a requested target was missed (OUT is written',
     'anyway; --soft makes it 0), 3 internal error.',

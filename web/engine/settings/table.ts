@@ -154,7 +154,7 @@ const ROWS = {
     min: 0.0001,
     max: 1,
     default: [],
-    help: 'Further levels of detail, one file each (OUT_lod1.glb, ...), with these shares of the faces of the whole scene (with --per-body: of each body).',
+    help: 'Further levels of detail with these shares of the faces of the whole scene (with --per-body: of each body); --lod-style says where they go.',
     group: 'target',
     isOfUse: true,
     placeholder: 'R[,R...]',
@@ -527,6 +527,7 @@ const ROWS = {
     default: 20,
     help: 'Substeps per step of 1/60 s; more of them make stiff or fine meshes more accurate (the paper uses 2,000).',
     group: 'simulation',
+    placeholder: 'N|auto',
   },
   /** double the substeps until the original has converged; `--substeps auto` says the same */
   converge: {
