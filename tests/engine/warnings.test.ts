@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { describeBodies } from '../../web/app/worker/bodies';
 import { canRedraw, progressLine, redrawn } from '../../web/cli/terminal';
 import { warningLines } from '../../web/cli/warnings';
 import type { BodyRun } from '../../web/engine/stages/body_run';
@@ -93,6 +94,7 @@ it('say that a solver moves one of the scales at which the scene shows a mesh', 
   expect(linesFor('jolt')).toEqual([
     'often: the scene shows it at scales from 0.5 to 3, but mesh, masses and settings for the solver are for 1 alone: give copies of another scale a mesh of their own',
   ]);
+  expect(describeBodies(file).map((body) => body.isScaledDifferently)).toEqual([false, true]);
   file.dispose();
 });
 

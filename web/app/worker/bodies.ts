@@ -4,7 +4,7 @@ import { describeHealth } from '../../engine/body/health';
 import type { HealthNote } from '../../engine/body/health';
 import { allFaces } from '../../engine/body/layers';
 import type { PreparedBody } from '../../engine/body/prepared_body';
-import { meshMatrices } from '../../engine/document/placements';
+import { meshMatrices, otherScales } from '../../engine/document/placements';
 import { defaultSettings } from '../../engine/settings/options';
 import type { FileRun } from '../../engine/stages/file_run';
 import { STAGES } from '../../engine/stages/stages';
@@ -19,6 +19,7 @@ export function describeBodies({ runs, model }: FileRun): OpenedBody[] {
     return {
       ...{ name, mesh, isScaledUnevenly },
       faces: prepared ? allFaces(prepared.layers) : body.indices.length / 3,
+      isScaledDifferently: otherScales(model.document, body) !== null,
       nodeMatrix: matrices[mesh],
       health: prepared ? healthOf(prepared) : null,
     };

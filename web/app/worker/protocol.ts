@@ -42,6 +42,8 @@ export interface Started {
 
 export interface OpenedBody extends Pick<Body, 'name' | 'mesh' | 'isScaledUnevenly'> {
   faces: number;
+  /** whether the scene shows it at other scales than that of its first node, too */
+  isScaledDifferently: boolean;
   /** from the space of the mesh to that of the scene, column by column */
   nodeMatrix: number[];
   /** null: it cannot be used, and no export changes it */

@@ -21,8 +21,21 @@ export function instanceScale(document: Document, mesh: Mesh): number {
   return nodes.length > 0 && Number.isFinite(sum) ? Math.sqrt(sum) : 1;
 }
 
-/** The smallest and the largest scale at which the scenes show a mesh, instances included; 0 hides it. null where nothing shows it. */
-export function scaleRange(document: Document, mesh: Mesh): { least: number; most: number } | null {
+/** Scales that differ by less than this share are the same. */
+const SAME_SCALE = 0.001;
+
+/** The smallest and the largest scale at which the scenes show a body, instances included; null where none differs from that of the body. */
+export function otherScales(
+  document: Document,
+  body: { mesh: number; scale: number },
+): { least: number; most: number } | null {
+  const range = scaleRange(document, document.getRoot().listMeshes()[body.mesh]);
+  const isSame = (scale: number): boolean => Math.abs(scale / body.scale - 1) <= SAME_SCALE;
+  return range === null || (isSame(range.least) && isSame(range.most)) ? null : range;
+}
+
+/** null where nothing shows the mesh; a scale of 0 hides it. */
+function scaleRange(document: Document, mesh: Mesh): { least: number; most: number } | null {
   let [least, most] = [Infinity, 0];
   for (const node of document.getRoot().listNodes()) {
     if (node.getMesh() !== mesh) continue;

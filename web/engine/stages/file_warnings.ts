@@ -2,7 +2,7 @@
 
 import { describeFailedModes, describeHealth, describeSize } from '../body/health';
 import { materialOf } from '../body/material';
-import { scaleRange } from '../document/placements';
+import { otherScales } from '../document/placements';
 import { describeLargeFit } from '../report/fit_words';
 import { ofBody, ofSentence } from '../report/warnings';
 import type { Warning } from '../report/warnings';
@@ -45,20 +45,15 @@ const unevenlyScaled = (file: FileRun, settings: Settings): Warning[] =>
       ),
     );
 
-/** Scales that differ by less than this share are the same. */
-const SAME_SCALE = 0.001;
-
 /** Warnings about meshes that the scene shows at other scales than that of their first node, which a solver gets. */
 const differentlyScaled = (file: FileRun, settings: Settings): Warning[] =>
   file.prepared(settings).flatMap(({ body }) => {
     const { document, bodies } = file.model;
-    const range = scaleRange(document, document.getRoot().listMeshes()[body.mesh]);
+    const range = otherScales(document, body);
     if (!range) return [];
-    const { least, most } = range;
-    const isSame = [least, most].every((scale) => Math.abs(scale / body.scale - 1) <= SAME_SCALE);
-    const [from, to, own] = [least, most, body.scale].map((scale) => Number(scale.toPrecision(3)));
+    const [from, to, own] = [range.least, range.most, body.scale].map((one) => Number(one.toPrecision(3)));
     const text = `the scene shows it at scales from ${from} to ${to}, but mesh, masses and settings for the solver are for ${own} alone: give copies of another scale a mesh of their own`;
-    return isSame ? [] : [ofBody(body.name, text, bodies.length > 1)];
+    return [ofBody(body.name, text, bodies.length > 1)];
   });
 
 /** Warnings about bodies of implausible size in metres. `nameOf`: the reader's names for settings. */

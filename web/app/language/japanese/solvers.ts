@@ -6,6 +6,8 @@ export const SOLVERS: MessageTable = {
   // web/app/panels/uneven_scale.tsx
   '{bodies}: the node scales the mesh non-uniformly, so mesh and masses for the solver get the mean scale and another shape than in the scene. Apply that scale in the modelling program first.':
     '{bodies}: ソルバー用のメッシュと質量にはノードの拡大率の平均が使われ、シーンとは形が異なります。先にモデリングソフトで拡大率を適用してください。',
+  '{bodies}: the scene shows the mesh at several scales, but mesh, masses and settings for the solver are for that of its first node. Give copies of another scale a mesh of their own.':
+    '{bodies}: シーンには複数の拡大率で表示されますが、ソルバー用のメッシュ、質量、設定は最初のノードの拡大率のものです。拡大率の違うコピーには別のメッシュを割り当ててください。',
   'Discrete Shells': 'Discrete Shells',
   'Edges and hinges': '辺とヒンジ',
   Springs: 'ばね',
