@@ -37,6 +37,7 @@ interface Settings {
   bodies: {
     mesh: { positions: number[]; triangles: number[] };
     mass: { perVertex: number[] };
+    substeps: number;
     stretch: { constant: number; pairs: number[]; factors?: number[] };
     bend: { constant: number; hinges: number[]; factors?: number[] };
     vertex?: { stretch: number[]; bend: number[] };
@@ -309,6 +310,21 @@ describe('the Jolt loader', () => {
     const free = sGetFreeMemory();
     for (let k = 0; k < 20; k++) made(1 / 60);
     expect(sGetFreeMemory()).toBe(free);
+  });
+
+  it('makes no substeps in which gravity is lost in the rounding of positions', async () => {
+    const Jolt = await initJolt();
+    const settings = settingsOf('jolt', {}, stiffness);
+    const [body] = settings.bodies;
+    body.substeps = 100_000;
+    for (const farthest of [0.5, 1, 100]) {
+      body.mesh.positions = PLACES.map((x) => (farthest * x) / UNIT);
+      const creation = joltSoftBody(Jolt, settings);
+      const change = 9.81 / (60 * creation.mNumIterations) ** 2;
+      Jolt.destroy(creation);
+      expect(change / (2 ** -23 * farthest)).toBeGreaterThanOrEqual(16);
+      expect(change / (2 ** -23 * farthest)).toBeLessThan(64);
+    }
   });
 
   it('refuses the file of another solver, with the cure', () => {

@@ -28,7 +28,8 @@ function worldSettings() {
   return settings;
 }
 
-const creation = joltSoftBody(Jolt, { solver: 'jolt', bodies: [{ ...body, substeps: iterations }] });
+const creation = joltSoftBody(Jolt, { solver: 'jolt', bodies: [body] });
+creation.mNumIterations = iterations;
 creation.mAllowSleeping = false;
 const made = bodies.CreateSoftBody(creation);
 bodies.AddBody(made.GetID(), Jolt.EActivation_Activate);
