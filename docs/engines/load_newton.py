@@ -3,18 +3,18 @@
     settings = json.load(open("horse.settings.json"))
     bodies = [body for body in settings["bodies"] if body["level"] == 0]
     builder = newton.ModelBuilder(up_axis=newton.Axis.Y)
-    for index in range(len(bodies)):
+    for index in range(len(bodies)):  # those of the first level come first in the file
         add_newton_cloth(builder, settings, index)
     builder.color(include_bending=True)
     model = builder.finalize()
     model.soft_contact_mu = bodies[0]["friction"]
-    substeps = max(body.get("substeps", 64) for body in bodies)
+    substeps = substeps_for(bodies)
     iterations = max(int(body["engine"]["iterations"]) for body in bodies)
     solver = newton.solvers.SolverVBD(model, iterations=iterations, particle_enable_self_contact=False)
 
 Then, for a frame of 1/60 s, call solver.step `substeps` times with 1 / 60 / substeps s: with longer steps VBD makes cloth far too
 soft. The file has none where no number is enough, as where a triangle has no area; 64 are then a start, not a bound. Friction and the
-distance of contact with itself are one number for the whole model. Bodies of the first level come first in the file.
+distance of contact with itself are one number for the whole model.
 
 For contact with itself pass particle_enable_self_contact=True, particle_self_contact_margin=d and particle_self_contact_gap=d / 2,
 where d is body["selfCollisionDistance"], but well below the shortest edge: neighbours that are nearer push each other apart.
@@ -52,6 +52,14 @@ def add_newton_cloth(builder, settings, index=0):
     scale_triangles(builder, body, first, first_triangle)
     scale_hinges(builder, body, first, first_edge)
     return first
+
+
+def substeps_for(bodies):
+    """Substeps of a step of 1/60 s: those of the file, but not so many that gravity is lost. Positions are floats, and where gravity
+    changes one by less than its rounding, a body at rest never falls: here by at least 16 units in the last place."""
+    farthest = max(body.get("unit", 1) * np.abs(body["mesh"]["positions"]).max() for body in bodies)
+    most = int(1 / 60 / np.sqrt(16 * 2.0**-23 * farthest / 9.81))
+    return max(1, min(most, max(body.get("substeps", 64) for body in bodies)))
 
 
 def scale_triangles(builder, body, first, first_triangle):

@@ -147,6 +147,21 @@ describe('a flap in the engine, loaded from a settings file', () => {
   );
 
   it.skipIf(!python.newton)(
+    'has no substeps in Newton in which gravity is lost in the rounding of positions',
+    () => {
+      const { mesh } = settingsOf('newton', {}, 1).bodies[0];
+      const bodies = [1, 50].map((unit) => ({ mesh, unit: unit * UNIT, substeps: 100_000 }));
+      const code = `import load_newton as n; b = ${JSON.stringify(bodies)}; print([n.substeps_for(b[:1]), n.substeps_for(b)])`;
+      const cwd = join(repository, 'docs', 'engines');
+      const { stdout, stderr } = spawnSync(python.newton!, ['-c', code], { cwd, encoding: 'utf8' });
+      const numbers = JSON.parse(stdout.trim().split('\n').at(-1)!) as number[];
+      const units = numbers.map((substeps, k) => 9.81 / (60 * substeps) ** 2 / (2 ** -23 * [1, 50][k]));
+      for (const change of units) expect(change, stderr).toBeGreaterThanOrEqual(16);
+    },
+    300_000,
+  );
+
+  it.skipIf(!python.newton)(
     'takes the map of --tune vertex in Newton: the mean of the hinge',
     () => {
       const engine = { tri_ke: 400, tri_ka: 300, edge_ke: 4, density: 1 };
