@@ -16,6 +16,8 @@ it('the motion that was tried is named with both deviations, whichever numbers i
   );
 });
 
-it('nothing is said where the trial was no closer than without tuning', () => {
-  expect(describeTrial({ ...motion, tuned: 2 })).toBe('');
+it('a difference within the noise is told as one', () => {
+  expect(describeTrial({ ...motion, tuned: 2.5, noiseFloor: 0.75 })).toBe(
+    'In a trial of how it hangs, it was 2.50 % of the diagonal away tuned and 2.00 % untuned, no further apart than the noise of 0.75 %. Other motions may differ.',
+  );
 });

@@ -131,6 +131,8 @@ export const TEST_AND_EXPORT: MessageTable = {
   'how it hangs': '吊り下がり方',
   'In a trial of {tried}, it was {tuned} of the diagonal away tuned and {untouched} untuned. Other motions may differ.':
     '{tried}を試したところ、元とのずれは対角線に対して調整ありで {tuned}、調整なしで {untouched} でした。ほかの動きでは異なることがあります。',
+  'In a trial of {tried}, it was {tuned} of the diagonal away tuned and {untouched} untuned, no further apart than the noise of {noise}. Other motions may differ.':
+    '{tried}を試したところ、元とのずれは対角線に対して調整ありで {tuned}、調整なしで {untouched} で、差は誤差 {noise} 以内でした。ほかの動きでは異なることがあります。',
   "In a trial of {tried}, it was {untouched} of the diagonal away with the original's stiffness and {tuned} with another, so only the masses are tuned. Other motions may differ.":
     '{tried}を試したところ、元とのずれは対角線に対して元の剛性で {untouched}、別の剛性で {tuned} だったため、質量だけを調整しています。ほかの動きでは異なることがあります。',
   'raise the substeps (now {substeps}) or choose a softer material, then reset.':

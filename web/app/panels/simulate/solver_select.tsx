@@ -114,8 +114,7 @@ function titleOf(solver: SolverName): string {
 /** The evidence for the numbers that are used. */
 function Trial() {
   const motion = usedTuning.value?.tuned.motion;
-  const text = motion ? describeTrial(motion) : '';
-  return text === '' ? null : <p class="hint">{text}</p>;
+  return motion && <p class="hint">{describeTrial(motion)}</p>;
 }
 
 /** What the engine needs, and how to get it. */

@@ -7,18 +7,26 @@ import { listed, say } from '../../language/say';
 /** By the scenes that are tried, see web/engine/core/interface/tune.ts. */
 const TRIED: Record<string, string> = { sway: 'how it sways', hang: 'how it hangs' };
 
-/** A sentence that names the motions of the trial, because the shown scenario may be different; '' if both were equally close. */
-export function describeTrial({ scene, kept, tuned, untouched }: TunedMotion): string {
-  const tried = listed(scene.split(' and ').map((name) => say(TRIED[name] ?? name)));
+/** A sentence that names the motions of the trial, because the shown scenario may be different, with both deviations. */
+export function describeTrial({ scene, kept, noiseFloor, ...deviations }: TunedMotion): string {
+  const words = {
+    tried: listed(scene.split(' and ').map((name) => say(TRIED[name] ?? name))),
+    tuned: percent(deviations.tuned),
+    untouched: percent(deviations.untouched),
+    noise: percent(noiseFloor),
+  };
   if (kept === 'untouched')
     return say(
       "In a trial of {tried}, it was {untouched} of the diagonal away with the original's stiffness and {tuned} with another, so only the masses are tuned. Other motions may differ.",
-      { tried, tuned: percent(tuned), untouched: percent(untouched) },
+      words,
     );
-  return tuned < untouched
+  return deviations.tuned < deviations.untouched
     ? say(
         'In a trial of {tried}, it was {tuned} of the diagonal away tuned and {untouched} untuned. Other motions may differ.',
-        { tried, tuned: percent(tuned), untouched: percent(untouched) },
+        words,
       )
-    : '';
+    : say(
+        'In a trial of {tried}, it was {tuned} of the diagonal away tuned and {untouched} untuned, no further apart than the noise of {noise}. Other motions may differ.',
+        words,
+      );
 }
