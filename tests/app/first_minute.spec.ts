@@ -106,7 +106,7 @@ test('a file that cannot be used never takes the place of the open one', async (
 
 test('files beside a model that are left out are named, with the cure', async ({ page }) => {
   await page.goto('/');
-  const notice = page.locator('.notices').getByRole('status');
+  const notice = page.locator('.notices .notice.info');
   const [sheet, chair] = [writeScratch('sheet.obj', sheetObj(8)), writeScratch('stool.fbx', 'Kaydara FBX')];
   await drop(page, sheet, chair);
   await expect(page.locator('.filename')).toHaveText('sheet.obj');
