@@ -3,7 +3,7 @@
 import type { MessageTable } from '../message_table';
 
 export const SOLVERS: MessageTable = {
-  // web/app/panels/uneven_scale.tsx
+  // web/app/panels/scale_warnings.tsx
   '{bodies}: the node scales the mesh non-uniformly, so mesh and masses for the solver get the mean scale and another shape than in the scene. Apply that scale in the modelling program first.':
     '{bodies}: ソルバー用のメッシュと質量にはノードの拡大率の平均が使われ、シーンとは形が異なります。先にモデリングソフトで拡大率を適用してください。',
   '{bodies}: the scene shows the mesh at several scales, but mesh, masses and settings for the solver are for that of its first node. Give copies of another scale a mesh of their own.':

@@ -14,7 +14,7 @@ import { RefusedText } from '../../controls/refused_text';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
 import { changeSettings, wants } from '../../state/store';
-import { UnevenScale } from '../uneven_scale';
+import { ScaleWarnings } from '../scale_warnings';
 import { say, sentence } from '../../language/say';
 
 const SOLVERS = [
@@ -42,7 +42,7 @@ export function SolverSection({ report }: { report: Report | null }) {
         }
       />
       {solver !== 'none' && <Tuning solver={solver} report={report} />}
-      <UnevenScale />
+      <ScaleWarnings />
     </Section>
   );
 }

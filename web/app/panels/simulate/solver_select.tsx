@@ -10,7 +10,7 @@ import { defaultModel, twin, usedTuning } from '../../state/twin';
 import { describeTrial } from './trial_text';
 import { UnknownSolver } from './unknown_solver';
 import { Choice, Select } from '../../controls/controls';
-import { UnevenScale } from '../uneven_scale';
+import { ScaleWarnings } from '../scale_warnings';
 import { say, sentence } from '../../language/say';
 
 type Material = Settings['material'];
@@ -160,7 +160,7 @@ function Tuning() {
         </p>
       )}
       <Trial />
-      <UnevenScale />
+      <ScaleWarnings />
       <TakeAlong />
     </>
   );
