@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "bind/charts.h"
 #include "bind/function.h"
 #include "bind/meshes.h"
+#include "mesh/pinned_vertices.h"
 #include "query/closest_among.h"
 #include "transfer/bind_meshes.h"
 #include "transfer/carry_pins.h"
@@ -45,10 +47,7 @@ val jsCarryPins(const val& original, const val& pinned, const val& result) {
     const auto corner = std::ranges::max_element(point.barycentric) - std::begin(point.barycentric);
     pins.vertices.push_back(mesh->triangles[point.triangle][static_cast<size_t>(corner)]);
   }
-  std::ranges::sort(pins.vertices);
-  const auto doubles = std::ranges::unique(pins.vertices);
-  pins.vertices.erase(doubles.begin(), doubles.end());
-  return toJs(pins.vertices);
+  return toJs(PinnedVertices(std::move(pins.vertices)).ids());
 }
 
 val jsClosestPoint(const val& mesh, const val& triangles, const val& point) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "mesh/pinned_vertices.h"
 #include "mesh/sampling.h"
 #include "mesh/topology.h"
 #include "query/closest_point.h"
@@ -54,13 +56,14 @@ PinnedRegion pinnedRegion(const TriangleMesh& mesh, std::span<const uint32_t> pi
   return region;
 }
 
-// For each triangle of the result the index of the nearest one, across edges and vertices, that is marked:
-// its own if it is marked itself, kNone if its part has none.
-std::vector<uint32_t> nearestMarked(const TriangleMesh& result, const std::vector<uint8_t>& isMarked) {
+// For each triangle of the result the index of the nearest one, across edges and vertices, that has starts:
+// its own if it has some itself, kNone if none of its part has.
+std::vector<uint32_t> nearestWithStarts(const TriangleMesh& result,
+                                        const std::vector<std::vector<uint32_t>>& starts) {
   const Topology topology = buildIncidence(result);
   std::vector<uint32_t> nearest(result.triangleCount(), kNone), queue;
   for (uint32_t t = 0; t < result.triangleCount(); ++t) {
-    if (!isMarked[t]) continue;
+    if (starts[t].empty()) continue;
     nearest[t] = t;
     queue.push_back(t);
   }
@@ -84,13 +87,10 @@ class OriginalPoints {
     if (binding.empty()) return;
     topology_ = buildTopology(original);
     walk_ = std::make_unique<SurfaceWalk>(original, topology_);
-    std::vector<uint8_t> hasStarts(result.triangleCount(), 0);
     for (uint32_t v = 0; v < original.vertexCount(); ++v)
-      if (binding[v].triangle != kNone && !topology_.trianglesAround(v).empty()) {
+      if (binding[v].triangle != kNone && !topology_.trianglesAround(v).empty())
         starts_[binding[v].triangle].push_back(topology_.trianglesAround(v)[0]);
-        hasStarts[binding[v].triangle] = 1;
-      }
-    nearest_ = nearestMarked(result, hasStarts);
+    nearest_ = nearestWithStarts(result, starts_);
   }
 
   // For a point in a triangle of the result. If no vertex is bound to the triangle, the closest point overall
@@ -223,11 +223,6 @@ bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
   return a.triangles == b.triangles && a.positions == b.positions;
 }
 
-void sortUnique(std::vector<uint32_t>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 bool comesBefore(const SurfacePoint& a, const SurfacePoint& b) {
   return a.triangle != b.triangle ? a.triangle < b.triangle
                                   : std::lexicographical_compare(a.barycentric, a.barycentric + 3,
@@ -239,12 +234,8 @@ bool comesBefore(const SurfacePoint& a, const SurfacePoint& b) {
 Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& result,
                std::span<const SurfacePoint> binding) {
   check(original, pinned, result);
+  if (isSame(original, result)) return {PinnedVertices({pinned.begin(), pinned.end()}).ids(), {}};
   Pins pins;
-  if (isSame(original, result)) {
-    pins.vertices.assign(pinned.begin(), pinned.end());
-    sortUnique(pins.vertices);
-    return pins;
-  }
   const Bodies bodies{original, result, binding};
   const std::vector<SurfacePoint> points = resultPoints(bodies, pinned);
   const PinnedRegion region = pinnedRegion(original, pinned);
@@ -261,7 +252,7 @@ Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, c
   }
   for (size_t i = 0; i < pinned.size(); ++i)
     if (!isCovered[i]) addPoint(points[i], result, pins);
-  sortUnique(pins.vertices);
+  pins.vertices = PinnedVertices(std::move(pins.vertices)).ids();
   std::sort(pins.points.begin(), pins.points.end(), comesBefore);
   return pins;
 }
