@@ -12,14 +12,17 @@ export const INSTANCING = 'EXT_mesh_gpu_instancing';
  * error is its square, and is seen in each of them. A scale is the root mean square of the three axes. 1 where no node shows the mesh.
  */
 export function instanceScale(document: Document, mesh: Mesh): number {
-  const nodes = document
-    .getRoot()
-    .listNodes()
-    .filter((node) => node.getMesh() === mesh);
+  const nodes = nodesOf(document, mesh);
   const squares = nodes.map((node) => squaredScale(node) * instances(node));
   const sum = squares.reduce((all, square) => all + square, 0);
   return nodes.length > 0 && Number.isFinite(sum) ? Math.sqrt(sum) : 1;
 }
+
+const nodesOf = (document: Document, mesh: Mesh): Node[] =>
+  document
+    .getRoot()
+    .listNodes()
+    .filter((node) => node.getMesh() === mesh);
 
 /** Scales that differ by less than this share are the same. */
 const SAME_SCALE = 0.001;
@@ -37,8 +40,7 @@ export function otherScales(
 /** null where nothing shows the mesh; a scale of 0 hides it. */
 function scaleRange(document: Document, mesh: Mesh): { least: number; most: number } | null {
   let [least, most] = [Infinity, 0];
-  for (const node of document.getRoot().listNodes()) {
-    if (node.getMesh() !== mesh) continue;
+  for (const node of nodesOf(document, mesh)) {
     const ofNode = squaredScale(node);
     forEachInstance(node, (ofInstance) => {
       const square = ofNode * ofInstance;
