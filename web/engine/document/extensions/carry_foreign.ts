@@ -45,8 +45,8 @@ function holdersOf(json: GLTF.IGLTF, { textures }: Foreign, { path }: ForeignExt
   if (path.length > 0 && path[0] !== 'extensions' && !STABLE.includes(String(path[0]))) return [];
   let holder: unknown = json;
   for (const step of path) {
-    if (typeof holder !== 'object' || holder === null) return [];
-    holder = (holder as Json)[step];
+    if (!isObject(holder)) return [];
+    holder = holder[step];
   }
   return isObject(holder) ? [holder] : [];
 }

@@ -50,6 +50,7 @@ export function foreignOf(json: GLTF.IGLTF): Foreign | null {
 }
 
 const isForeign = (name: string): boolean => !SUPPORTED_EXTENSIONS.has(name);
+
 function collect(value: Json, path: (string | number)[], found: ForeignExtension[]): void {
   for (const [key, child] of Object.entries(value)) {
     if (key === 'extras' || !isObject(child)) continue;
