@@ -55,6 +55,20 @@ constexpr Sizes kSizes[] = {{1, 1, 1},     {3, 2, 1},       {4, 4, 4},   {5, 3, 
                             {67, 257, 97}, {130, 300, 193}, {2, 600, 2}, {1, 40, 30}, {30, 40, 1},
                             {31, 9, 1},    {0, 3, 2},       {3, 0, 2},   {3, 2, 0},   {200, 1, 5}};
 
+TEST(DenseProduct, OfTheLowerPartIsThatOfItsEntriesToTheBit) {
+  for (const auto [rows, depth, cols] : kSizes) {
+    const auto a = numbers<ColumnMajor>(rows, depth, 1);
+    const auto b = numbers<ColumnMajor>(depth, cols, 2);
+    ColumnMajor whole = numbers<ColumnMajor>(rows, cols, 3), lower = whole;
+    subtractProduct(a, b, whole);
+    subtractLowerProduct(a, b, lower);
+    const double scale = cols == 1 ? 1e-15 * (1 + static_cast<double>(depth)) : 0;
+    for (Eigen::Index j = 0; j < cols; ++j)
+      for (Eigen::Index i = j; i < rows; ++i)
+        EXPECT_NEAR(lower(i, j), whole(i, j), scale) << rows << " x " << cols;
+  }
+}
+
 TEST(DenseProduct, IsThatOfItsEntriesInEveryStorageOrder) {
   for (const auto [rows, depth, cols] : kSizes) {
     const auto a = numbers<ColumnMajor>(rows, depth, 1);

@@ -22,7 +22,7 @@ using RowsOfOne = Eigen::VectorXd;
 using AllRowsOfMany = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RowsOfMany = Eigen::Map<AllRowsOfMany, 0, Eigen::OuterStride<>>;  // some of their columns
 
-constexpr Eigen::Index kMinColumns = 16;  // right-hand sides that one thread solves for at the top
+constexpr Eigen::Index kMinColumns = 8;  // right-hand sides for which another thread helps at the top
 
 // Calls `solve` with the columns of y, divided among several threads. The result of a column does not depend
 // on the other columns.
@@ -33,7 +33,8 @@ void forEachPart(RowsOfOne& y, const Solve& solve) {
 
 template <class Solve>
 void forEachPart(RowsOfMany& y, const Solve& solve) {
-  const auto columns = static_cast<size_t>(y.cols()), parts = std::max<size_t>(1, y.cols() / kMinColumns);
+  const auto columns = static_cast<size_t>(y.cols()),
+             parts = std::clamp<size_t>(columns / kMinColumns, 1, static_cast<size_t>(threadCount()));
   parallelFor(columns, (columns + parts - 1) / parts, [&](size_t begin, size_t end) {
     RowsOfMany part(y.data() + begin, y.rows(), static_cast<Eigen::Index>(end - begin), y.outerStride());
     solve(part);
@@ -64,11 +65,11 @@ Factorisation::Factorisation(const SparsePencil& pencil, Job& job)
 Factorisation::Factorisation(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure)
     : pencil_(pencil), structure_(std::move(structure)) {}
 
-// Fills the columns of a front with its entries of K - shift M, and localRow with the row of each position in
-// it.
+// Fills the lower part of the columns of a front with its entries of K - shift M, and localRow with the row
+// of each position in it.
 void Factorisation::assemble(const Front& front, double shift, uint32_t* localRow) {
   Values columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
-  columns.setZero();
+  for (uint32_t k = 0; k < front.pivotCount; ++k) columns.col(k).tail(front.rows() - k).setZero();
   for (uint32_t k = 0; k < front.pivotCount; ++k) localRow[front.firstPivot + k] = k;
   for (uint32_t k = 0; k < front.boundaryCount; ++k)
     localRow[structure_->boundary[front.firstRow + k]] = front.pivotCount + k;
@@ -87,7 +88,8 @@ void Factorisation::factoriseFront(uint32_t f, double shift, uint32_t* localRow,
   assemble(front, shift, localRow);
   Values columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   Eigen::MatrixXd& update = updates_[f];
-  update.setZero(front.boundaryCount, front.boundaryCount);
+  update.resize(front.boundaryCount, front.boundaryCount);
+  for (uint32_t j = 0; j < front.boundaryCount; ++j) update.col(j).tail(front.boundaryCount - j).setZero();
   std::vector<uint32_t> rowOf;
   for (uint32_t child : front.children) {
     const Front& below = structure_->fronts[child];

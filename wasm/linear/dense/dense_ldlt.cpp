@@ -13,7 +13,7 @@ namespace limber {
 namespace {
 
 constexpr Eigen::Index kPanel = 32;      // columns that are eliminated at once
-constexpr Eigen::Index kStripe = 96;     // columns of an update that one thread computes
+constexpr Eigen::Index kStripe = 96;     // columns or rows that one thread computes
 constexpr double kTinyPivot = 1e-200;    // replaces a zero pivot, so that quotients stay finite
 constexpr double kWorkForThreads = 4e6;  // multiplications of an update above which threads pay off
 
@@ -34,15 +34,15 @@ void factoriseDiagonalBlock(Block a, Eigen::Ref<Eigen::VectorXd> d) {
   }
 }
 
-// Calls update(first, count) for stripes of `columns` columns, on several threads if `work` multiplications
-// pay for that. Each stripe is computed in the same way for any number of threads.
+// Calls update(first, count) for stripes of `size` columns or rows, on several threads if `work`
+// multiplications pay for that. Each stripe is computed in the same way for any number of threads.
 template <class Update>
-void forEachStripe(Eigen::Index columns, double work, const Update& update) {
-  const auto stripes = static_cast<size_t>((columns + kStripe - 1) / kStripe);
+void forEachStripe(Eigen::Index size, double work, const Update& update) {
+  const auto stripes = static_cast<size_t>((size + kStripe - 1) / kStripe);
   parallelFor(stripes, work > kWorkForThreads ? 1 : stripes, [&](size_t begin, size_t end) {
     for (size_t stripe = begin; stripe < end; ++stripe) {
       const auto first = static_cast<Eigen::Index>(stripe) * kStripe;
-      update(first, std::min(kStripe, columns - first));
+      update(first, std::min(kStripe, size - first));
     }
   });
 }
@@ -58,14 +58,20 @@ void partialLdlt(Columns columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd
     auto diagonal = columns.block(start, start, width, width);
     factoriseDiagonalBlock(diagonal, d.segment(start, width));
     auto panel = columns.block(next, start, below, width);
-    solveLower(diagonal, panel.transpose());
     const Eigen::Index left = pivots - next;
-    scaled = panel.topRows(left).transpose();  // D L^T
-    panel *= d.segment(start, width).cwiseInverse().asDiagonal();
     const double work = static_cast<double>(left) * static_cast<double>(below) * static_cast<double>(width);
+    scaled.resize(width, left);  // D L^T
+    const Eigen::VectorXd inverse = d.segment(start, width).cwiseInverse();
+    forEachStripe(below, work, [&](Eigen::Index first, Eigen::Index count) {
+      auto rows = panel.middleRows(first, count);
+      solveLower(diagonal, rows.transpose());
+      const Eigen::Index pivotRows = std::clamp<Eigen::Index>(left - first, 0, count);
+      scaled.middleCols(first, pivotRows) = rows.topRows(pivotRows).transpose();
+      rows *= inverse.asDiagonal();
+    });
     forEachStripe(left, work, [&](Eigen::Index first, Eigen::Index count) {
-      subtractProduct(panel.bottomRows(below - first), scaled.middleCols(first, count),
-                      columns.block(next + first, next + first, below - first, count));
+      subtractLowerProduct(panel.bottomRows(below - first), scaled.middleCols(first, count),
+                           columns.block(next + first, next + first, below - first, count));
     });
   }
   if (boundary == 0) return;
@@ -74,8 +80,8 @@ void partialLdlt(Columns columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd
   const double work = static_cast<double>(boundary) * boundary * pivots;
   forEachStripe(boundary, work, [&](Eigen::Index first, Eigen::Index count) {
     job.check();
-    subtractProduct(lower.bottomRows(boundary - first), scaled.middleCols(first, count),
-                    update.block(first, first, boundary - first, count));
+    subtractLowerProduct(lower.bottomRows(boundary - first), scaled.middleCols(first, count),
+                         update.block(first, first, boundary - first, count));
   });
 }
 

@@ -84,9 +84,17 @@ void subtractPart(const Tile& tile, const Strided<double>& c) {
       c.data[i + j * c.colStride] -= i < 2 ? tile.top[j][i] : tile.bottom[j][i - 2];
 }
 
-void subtractPacked(const double* a, const double* b, Index depth, const Strided<double>& c) {
+// Packed blocks of both factors, `depth` columns and rows each.
+struct Packed {
+  const double *a, *b;
+  Index depth;
+};
+
+// Tiles of which all rows are less than their column plus `least` are left out.
+void subtractPacked(const Packed& packed, const Strided<double>& c, Index least) {
+  const auto& [a, b, depth] = packed;
   for (Index col = 0; col < c.cols; col += kTile)
-    for (Index row = 0; row < c.rows; row += kTile) {
+    for (Index row = std::max<Index>(0, (col + least) / kTile * kTile); row < c.rows; row += kTile) {
       const Tile tile = multiply(a + row * depth, b + col * depth, depth);
       double* to = c.data + row + col * c.colStride;
       if (row + kTile <= c.rows && col + kTile <= c.cols)
@@ -159,6 +167,24 @@ Strided<Scalar> block(const Strided<Scalar>& m, Range rows, Range cols) {
           m.colStride};
 }
 
+// c -= a b where c has unit row stride. With `isLower` only the blocks that reach the diagonal or lie below.
+void subtractBlocks(const Strided<const double>& a, const Strided<const double>& b, const Strided<double>& c,
+                    bool isLower) {
+  thread_local std::vector<double> packedA, packedB;
+  for (Index k = 0; k < a.cols; k += kDepth) {
+    const Index depth = std::min(kDepth, a.cols - k);
+    for (Index col = 0; col < c.cols; col += kCols) {
+      const Index cols = std::min(kCols, c.cols - col);
+      pack(block(b, {k, depth}, {col, cols}).transpose(), packedB);
+      for (Index row = isLower ? col / kRows * kRows : 0; row < c.rows; row += kRows) {
+        const Index rows = std::min(kRows, c.rows - row), least = isLower ? col - row : -kCols;
+        pack(block(a, {row, rows}, {k, depth}), packedA);
+        subtractPacked({packedA.data(), packedB.data(), depth}, block(c, {row, rows}, {col, cols}), least);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void subtractStridedProduct(const Strided<const double>& a, const Strided<const double>& b,
@@ -166,19 +192,12 @@ void subtractStridedProduct(const Strided<const double>& a, const Strided<const 
   if (c.rowStride != 1) return subtractStridedProduct(b.transpose(), a.transpose(), c.transpose());
   if (c.cols == 1 && a.rowStride == 1) return subtractColumns(a, b.data, b.rowStride, c.data);
   if (c.cols == 1 && a.colStride == 1 && b.rowStride == 1) return subtractDots(a, b.data, c.data);
-  thread_local std::vector<double> packedA, packedB;
-  for (Index k = 0; k < a.cols; k += kDepth) {
-    const Index depth = std::min(kDepth, a.cols - k);
-    for (Index col = 0; col < c.cols; col += kCols) {
-      const Index cols = std::min(kCols, c.cols - col);
-      pack(block(b, {k, depth}, {col, cols}).transpose(), packedB);
-      for (Index row = 0; row < c.rows; row += kRows) {
-        const Index rows = std::min(kRows, c.rows - row);
-        pack(block(a, {row, rows}, {k, depth}), packedA);
-        subtractPacked(packedA.data(), packedB.data(), depth, block(c, {row, rows}, {col, cols}));
-      }
-    }
-  }
+  subtractBlocks(a, b, c, false);
+}
+
+void subtractLowerStridedProduct(const Strided<const double>& a, const Strided<const double>& b,
+                                 const Strided<double>& c) {
+  subtractBlocks(a, b, c, true);
 }
 
 }  // namespace limber

@@ -34,6 +34,15 @@ void subtractProduct(const A& a, const B& b, C&& c) {
   subtractStridedProduct(strided(a), strided(b), strided(c));
 }
 
+// The same for the lower part of c, below its diagonal and on it. c has unit row stride. Entries above the
+// diagonal are either subtracted from or left as they are.
+void subtractLowerStridedProduct(const Strided<const double>& a, const Strided<const double>& b,
+                                 const Strided<double>& c);
+template <class A, class B, class C>
+void subtractLowerProduct(const A& a, const B& b, C&& c) {
+  subtractLowerStridedProduct(strided(a), strided(b), strided(c));
+}
+
 // a b.
 template <class A, class B>
 Eigen::MatrixXd product(const A& a, const B& b) {

@@ -8,7 +8,7 @@
 namespace limber {
 namespace {
 
-constexpr size_t kRowsPerRange = 4096;
+constexpr size_t kRowsPerRange = 1024;
 
 }  // namespace
 
