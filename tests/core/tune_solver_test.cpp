@@ -293,9 +293,9 @@ TEST(PartModesPair, isDefiniteAgainWhereModesThatHadLostTheirResistanceRegainIt)
 
   std::vector<double> factors(stiffness.count(), 1.0);
   std::fill(factors.begin() + stiffness.stretchCount(), factors.end(), 1e-14);
-  modes.follow(factors, job);
+  modes.follow(factors, 10, job);
   EXPECT_FALSE(modes.isDefinite());
-  modes.follow(std::vector<double>(stiffness.count(), 1.0), job);
+  modes.follow(std::vector<double>(stiffness.count(), 1.0), 10, job);
   EXPECT_TRUE(modes.isDefinite());
   EXPECT_NEAR(modes.firstEigenvalue(), first, 1e-3 * first);
 }

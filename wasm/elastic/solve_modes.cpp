@@ -1,5 +1,6 @@
 #include "elastic/solve_modes.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -14,7 +15,8 @@ void requireMemoryToSolve(uint64_t bytes) {
 EigenSolution solveModes(const SparsePencil& pencil, EigenOptions options, Job& job) {
   options.admit = requireMemoryToSolve;
   EigenSolution solution = solveEigenproblem(pencil, options, job);
-  const size_t found = solution.inverseResidual.size(), trusted = solution.trustedCount();
+  const size_t found = std::min(solution.inverseResidual.size(), static_cast<size_t>(exactCount(options))),
+               trusted = solution.trustedCount(found);
   if (trusted < found)
     throw NoConvergence("The modes did not converge: only " + std::to_string(trusted) + " of " +
                         std::to_string(found) +

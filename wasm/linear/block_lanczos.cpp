@@ -11,8 +11,9 @@ namespace {
 // A remaining direction of a block is dropped if its squared length is below this fraction of the longest: it
 // is the rounding error of vectors that depend linearly on the others.
 constexpr double kDependent = 1e-14;
+constexpr double kWellConditioned = 1e-6;  // above this fraction, one pass leaves a basis orthonormal to 1e-9
 
-// An orthonormal basis of the columns of a block. The second pass removes the rounding errors of the first.
+// An orthonormal basis of the columns of a block. A second pass removes the rounding errors of the first.
 Eigen::MatrixXd orthonormalised(Eigen::MatrixXd block) {
   for (int pass = 0; pass < 2 && block.cols() > 0; ++pass) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(transposedProduct(block, block));
@@ -23,6 +24,7 @@ Eigen::MatrixXd orthonormalised(Eigen::MatrixXd block) {
                                      : size;
     const Eigen::VectorXd scale = lengths.tail(size - dropped).cwiseSqrt().cwiseInverse();
     block = tallProduct(block, squares.eigenvectors().rightCols(size - dropped) * scale.asDiagonal());
+    if (dropped == 0 && lengths[0] > kWellConditioned * lengths[size - 1]) break;
   }
   return block;
 }
@@ -40,24 +42,24 @@ class Run {
     while (block.cols() > 0 && size_ + block.cols() <= options_.mostVectors) {
       Eigen::MatrixXd rest = expand(block);
       findPairs(rest, block.cols());
-      if (hasConverged()) break;
+      if (++blocks_ >= options_.leastBlocks && hasConverged()) break;
       block = orthonormalised(std::move(rest));
     }
     return pairs();
   }
 
  private:
-  // Adds a block to the basis; returns the part of its image that is orthogonal to the basis.
+  // Adds a block to the basis; returns the part of its image that is orthogonal to the basis. One pass is
+  // enough: it leaves rounding errors of the image, and directions of the rest that are not far longer than
+  // these are dropped.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& block) {
     const Eigen::Index first = size_;
     basis_.middleCols(first, block.cols()) = block;
     size_ += block.cols();
     Eigen::MatrixXd image = pencil_.invert(block);
-    for (int pass = 0; pass < 2; ++pass) {
-      const Eigen::MatrixXd shares = transposedProduct(basis_.leftCols(size_), image);
-      subtractTallProduct(basis_.leftCols(size_), shares, image);
-      projected_.block(0, first, size_, block.cols()) += shares;
-    }
+    const Eigen::MatrixXd shares = transposedProduct(basis_.leftCols(size_), image);
+    subtractTallProduct(basis_.leftCols(size_), shares, image);
+    projected_.block(0, first, size_, block.cols()) = shares;
     return image;
   }
 
@@ -91,12 +93,23 @@ class Run {
   const BlockLanczosOptions& options_;
   Eigen::MatrixXd basis_;
   Eigen::Index size_ = 0;
+  int blocks_ = 0;
   Eigen::MatrixXd projected_;  // of the inverted pencil onto the basis: the upper half
   Eigen::VectorXd inverse_, residual_;
   Eigen::MatrixXd shares_;
 };
 
 }  // namespace
+
+Eigen::MatrixXd randomColumns(Eigen::Index size, Eigen::Index columns) {
+  Eigen::MatrixXd x(size, columns);
+  uint64_t state = 0x9e3779b97f4a7c15ull;
+  for (double& value : x.reshaped()) {
+    state = state * 6364136223846793005ull + 1442695040888963407ull;
+    value = static_cast<double>(state >> 11) / 9007199254740992.0 - 0.5;
+  }
+  return x;
+}
 
 BlockLanczosPairs blockLanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& start,
                                const BlockLanczosOptions& options) {

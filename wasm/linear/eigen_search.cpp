@@ -40,9 +40,7 @@ void inverseIterate(const ShiftedPencil& pencil, EigenSearch& search) {
   const Eigen::MatrixXd before = tallProduct(search.phi, ritz.eigenvectors());
   search.lambda = ritz.eigenvalues().array() + pencil.shift();
   search.phi = tallProduct(x, ritz.eigenvectors());
-  const Eigen::MatrixXd change = pencil.restrict(before - search.phi * ritz.eigenvalues().asDiagonal());
-  search.inverseResidual =
-      change.colwise().norm().cwiseQuotient(pencil.restrict(before).colwise().norm()).transpose();
+  search.inverseResidual = pencil.relativeChange(before, search.phi, ritz.eigenvalues());
 }
 
 int missingPairs(ShiftedPencil& pencil, const EigenSearch& search, Eigen::Index lastWanted) {

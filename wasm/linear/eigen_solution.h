@@ -26,9 +26,10 @@ struct EigenSolution {
   std::vector<double> inverseResidual;
   uint64_t factorNonzeros = 0;  // of L
 
-  // Pairs whose inverse residual is at most kTrustedInverseResidual.
-  size_t trustedCount() const {
-    return static_cast<size_t>(std::count_if(inverseResidual.begin(), inverseResidual.end(),
+  // Of the first `count` pairs, those whose inverse residual is at most kTrustedInverseResidual.
+  size_t trustedCount(size_t count) const {
+    return static_cast<size_t>(std::count_if(inverseResidual.begin(),
+                                             inverseResidual.begin() + static_cast<ptrdiff_t>(count),
                                              [](double r) { return r <= kTrustedInverseResidual; }));
   }
 };

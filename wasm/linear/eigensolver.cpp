@@ -69,51 +69,40 @@ class InverseOperator {
   mutable int calls_ = 0;
 };
 
-// A pseudo-random vector, always the same for the same size. It has no symmetry that could hide an
-// eigenvector.
-Eigen::VectorXd startVector(Eigen::Index size) {
-  Eigen::VectorXd x(size);
-  uint64_t state = 0x9e3779b97f4a7c15ull;
-  for (double& value : x) {
-    state = state * 6364136223846793005ull + 1442695040888963407ull;
-    value = static_cast<double>(state >> 11) / 9007199254740992.0 - 0.5;
-  }
-  return x;
-}
+// Pairs to search for, and how many of them, the first ones, have to be exact.
+struct PairCounts {
+  int count, exact;
+};
 
-// Pseudo-random vectors, always the same for the same sizes.
-Eigen::MatrixXd startBlock(Eigen::Index size, Eigen::Index columns) {
-  const Eigen::VectorXd all = startVector(size * columns);
-  return Eigen::Map<const Eigen::MatrixXd>(all.data(), size, columns);
-}
-
-// `count` pairs of lowest lambda by block Lanczos, to the accuracy of a rough search. Returns nothing if they
-// do not converge, if memory is short, or if all of them are zero: of a multiple zero eigenvalue a block
-// finds as many copies as it has vectors, and none of the pairs above.
-std::optional<EigenSearch> roughSearch(const ShiftedPencil& pencil, Eigen::Index count) {
-  const Eigen::Index size = pencil.heavyCount(), mostVectors = 2 * count + kBlocksBeyond * kBlockSize;
+// `count` pairs of lowest lambda by block Lanczos, the first `exact` of them to the accuracy of a rough
+// search. Returns nothing if they do not converge, if memory is short, or if all pairs are zero: of a
+// multiple zero eigenvalue a block finds as many copies as it has vectors, and none of the pairs above.
+std::optional<EigenSearch> roughSearch(const ShiftedPencil& pencil, PairCounts sought) {
+  const Eigen::Index size = pencil.heavyCount(), mostVectors = 2 * sought.count + kBlocksBeyond * kBlockSize;
   const uint64_t memory = sizeof(double) * static_cast<uint64_t>(pencil.unknownCount()) *
                           static_cast<uint64_t>(mostVectors + kBlocksBesideBasis * kBlockSize);
   if (mostVectors > size || memory > memoryLeft()) return std::nullopt;
   pencil.job().begin(Phase::Solve);
   const BlockLanczosPairs pairs =
-      blockLanczos(pencil, startBlock(size, kBlockSize), {count, count, kRoughInverseResidual, mostVectors});
+      blockLanczos(pencil, randomColumns(size, kBlockSize),
+                   {sought.count, sought.exact, kRoughInverseResidual, mostVectors});
   if (!pairs.hasConverged) return std::nullopt;
   EigenSearch search{{pairs.lambda, pencil.expand(pairs.phi)}, pairs.inverseResidual};
-  if (zeroPairs(search, pencil.shift()) == count) return std::nullopt;
+  if (zeroPairs(search, pencil.shift()) == sought.count) return std::nullopt;
   return search;
 }
 
 // Up to `count` pairs of lowest lambda that are orthogonal to the columns of `known` (heavy unknowns only).
-EigenSearch lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, int count, bool isRough) {
+EigenSearch lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, PairCounts sought,
+                    bool isRough) {
   if (isRough && known.cols() == 0)
-    if (std::optional<EigenSearch> search = roughSearch(pencil, count)) return *std::move(search);
+    if (std::optional<EigenSearch> search = roughSearch(pencil, sought)) return *std::move(search);
   pencil.job().begin(Phase::Solve);
   const auto size = static_cast<int>(pencil.heavyCount());
-  const int wanted = std::min(count, size - 1), basis = std::min(size, wanted + kBasisBeyond);
+  const int wanted = std::min(sought.count, size - 1), basis = std::min(size, wanted + kBasisBeyond);
   InverseOperator inverse(pencil, known, basis + kBasisBeyond);
   Spectra::SymEigsSolver<InverseOperator> solver(inverse, wanted, basis);
-  Eigen::VectorXd start = startVector(size);
+  Eigen::VectorXd start = randomColumns(size, 1);
   if (known.cols() > 0) start -= known * (known.transpose() * start);
   try {
     solver.init(start.data());
@@ -146,7 +135,7 @@ void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions
   for (int step = 0; step < kRefinements; ++step) {
     inverseIterate(pencil, search);
     const Eigen::Index first = zeroPairs(search, pencil.shift());
-    const Eigen::Index last = std::min<Eigen::Index>(first + options.pairCount, search.lambda.size());
+    const Eigen::Index last = std::min<Eigen::Index>(first + exactCount(options), search.lambda.size());
     double worst = 0;
     for (Eigen::Index k = first; k < last; ++k)
       worst = std::max(worst, relativeError(pencil, search, k, options.isRough));
@@ -173,7 +162,7 @@ void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& 
   double searchShift = sigma;
   bool areZerosCounted = false;
   for (int attempt = 0; attempt < kMissingAttempts; ++attempt) {
-    const Eigen::Index lastWanted = zeroPairs(search, sigma) + options.pairCount - 1;
+    const Eigen::Index lastWanted = zeroPairs(search, sigma) + exactCount(options) - 1;
     const bool isShort = lastWanted + 1 >= search.lambda.size();
     int missing = isShort ? 0 : missingPairs(pencil, search, lastWanted);
     // A few missing ones can be searched without another factorisation.
@@ -187,7 +176,7 @@ void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& 
     if (missing <= 0) return;
     pencil.shiftTo(searchShift);
     const int sought = std::min(missing + kMissingExtraPairs, static_cast<int>(search.lambda.size()));
-    const EigenSearch more = lanczos(pencil, pencil.restrict(search.phi), sought, options.isRough);
+    const EigenSearch more = lanczos(pencil, pencil.restrict(search.phi), {sought, sought}, options.isRough);
     Eigen::MatrixXd all(search.phi.rows(), search.phi.cols() + more.phi.cols());
     all << search.phi, more.phi;
     search.phi = all;
@@ -201,12 +190,11 @@ EigenSearch searchAbove(ShiftedPencil& pencil, Eigen::Index zeros, double top, c
   double shift = top;
   while (static_cast<Eigen::Index>(pencil.countBelow(shift)) > zeros && shift > kZeroRatio * top)
     shift *= kShiftStep;
-  const Eigen::Index sought =
-      std::min<Eigen::Index>(options.pairCount + kExtraPairs, pencil.heavyCount() - zeros);
+  const int sought = std::min(options.pairCount + kExtraPairs, static_cast<int>(pencil.heavyCount() - zeros));
   EigenSearch search;
   search.phi.resize(pencil.unknownCount(), 0);
   if (sought > 0) {
-    search = lanczos(pencil, {}, static_cast<int>(sought), options.isRough);
+    search = lanczos(pencil, {}, {sought, std::min(sought, exactCount(options))}, options.isRough);
     refine(pencil, search, options);
   }
   search.hiddenZeros = zeros;
@@ -219,7 +207,8 @@ EigenSearch searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
   int zeros = options.expectedNullity;
   for (int pass = 0;; ++pass) {
     pencil.shiftTo(sigma);
-    EigenSearch search = lanczos(pencil, {}, zeros + options.pairCount + kExtraPairs, options.isRough);
+    const PairCounts sought{zeros + options.pairCount + kExtraPairs, zeros + exactCount(options)};
+    EigenSearch search = lanczos(pencil, {}, sought, options.isRough);
     zeros = static_cast<int>(zeroPairs(search, sigma));
     const bool isLast = pass == kLastPass || search.lambda.size() >= pencil.heavyCount() - 1;
     if (zeros < search.lambda.size()) {

@@ -49,9 +49,15 @@ struct EigenOptions {
   // The structure of this pencil or of one with the same pattern, if already known.
   std::shared_ptr<const FactorStructure> structure = nullptr;
   bool isRough = false;  // errors of kRoughTolerance are accepted, and no residuals computed
+  int spareCount = 0;    // the last of the pairs, which in a rough search may be inexact; < pairCount
   // Called once with the peak bytes of the solve, before they are allocated. May throw to refuse.
   std::function<void(uint64_t bytes)> admit = nullptr;
 };
+
+// The pairs that are as accurate as the search promises: the first ones.
+inline int exactCount(const EigenOptions& options) {
+  return options.pairCount - (options.isRough ? options.spareCount : 0);
+}
 
 // Thrown by a search for eigenpairs that did not converge, with a sentence for the user.
 class NoConvergence : public std::runtime_error {

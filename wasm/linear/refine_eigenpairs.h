@@ -20,7 +20,6 @@ struct RefineOptions {
   int spareCount = 0;                  // the last of them, which may still be inexact
   int largestStepCount = 4;            // >= 1
   bool residuals = true;               // whether EigenSolution::residual is computed
-  bool isProved = true;                // only refineLowestEigenpairs: proves that no pair is missing
   std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
   std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
 };
@@ -32,9 +31,9 @@ struct RefineOptions {
 EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                const RefineOptions& options, Job& job);
 
-// The same by block Lanczos, which takes fewer steps. Returns nothing if a pair that has to be exact has not
-// converged, if there is no spare pair, or if memory is short; with `isProved` also if inertia counts another
-// eigenvalue among these, which takes another factorisation. Vectors are as accurate as their eigenvalues in
+// The same by block Lanczos, which takes fewer steps. Pseudo-random columns in addition to `start` find the
+// pairs that it lacks. Returns nothing if a pair that has to be exact has not converged, if there is no spare
+// pair, or if memory is short. Vectors are as accurate as their eigenvalues in
 // the mass norm, but not in energy: they keep more of the high-frequency error of `start`. `largestStepCount`
 // and `admit` are not read.
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,

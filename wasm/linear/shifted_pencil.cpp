@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/parallel.h"
 #include "linear/dense/tall_product.h"
 #include "linear/extended_residual.h"
 
@@ -39,7 +40,14 @@ uint32_t ShiftedPencil::countBelow(double lambda) {
 
 template <class Columns>
 Columns ShiftedPencil::invertColumns(const Columns& x) const {
-  Columns full = Columns::Zero(pencil_.m.size(), x.cols());
+  Columns full;
+  if (heavyCount() == unknownCount()) {
+    full = rootMass_.asDiagonal() * x;
+    factorisation_.solve(full, job_);
+    full.array().colwise() *= rootMass_.array();
+    return full;
+  }
+  full = Columns::Zero(unknownCount(), x.cols());
   full(heavy_, Eigen::all) = rootMass_.asDiagonal() * x;
   factorisation_.solve(full, job_);
   return rootMass_.asDiagonal() * full(heavy_, Eigen::all);
@@ -86,6 +94,17 @@ double ShiftedPencil::extendedResidual(double lambda, const Eigen::VectorXd& phi
     smallest = rest.norm();
   }
   return smallest / (std::abs(lambda) * pencil_.m.cwiseProduct(phi).norm());
+}
+
+Eigen::VectorXd ShiftedPencil::relativeChange(const Eigen::MatrixXd& before, const Eigen::MatrixXd& after,
+                                              const Eigen::VectorXd& scale) const {
+  Eigen::VectorXd relative(before.cols());
+  parallelFor(static_cast<size_t>(before.cols()), 1, [&](size_t column, size_t) {
+    const auto c = static_cast<Eigen::Index>(column);
+    const double change = (before.col(c) - scale[c] * after.col(c)).cwiseAbs2().dot(pencil_.m);
+    relative[c] = std::sqrt(change / before.col(c).cwiseAbs2().dot(pencil_.m));
+  });
+  return relative;
 }
 
 Eigen::MatrixXd ShiftedPencil::massProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const {

@@ -41,6 +41,9 @@ class ShiftedPencil {
   // The same for phi plus a correction from up to `steps` steps of iterative refinement, evaluated with twice
   // the digits: the residual without the rounding of phi to doubles.
   double extendedResidual(double lambda, const Eigen::VectorXd& phi, int steps) const;
+  // Per column |before - scale after| / |before|, in the mass norm.
+  Eigen::VectorXd relativeChange(const Eigen::MatrixXd& before, const Eigen::MatrixXd& after,
+                                 const Eigen::VectorXd& scale) const;
   // a^T M b.
   Eigen::MatrixXd massProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const;
 

@@ -7,9 +7,12 @@
 #include <optional>
 
 #include "base/disjoint_sets.h"
+#include "base/parallel.h"
 #include "elastic/followed_modes.h"
 #include "elastic/pins.h"
+#include "elastic/shell.h"
 #include "elastic/solve_modes.h"
+#include "linear/dense/tall_product.h"
 #include "linear/eigen_search.h"
 #include "linear/shifted_pencil.h"
 #include "mesh/topology.h"
@@ -41,11 +44,21 @@ Eigen::MatrixXd quadraticMotions(const TriangleMesh& mesh, Eigen::Index unknownC
   return motions;
 }
 
+// K times the columns of x.
+Eigen::MatrixXd forces(const SparsePencil& pencil, const Eigen::MatrixXd& x) {
+  Eigen::MatrixXd forces(x.rows(), x.cols());
+  parallelFor(static_cast<size_t>(x.cols()), 1, [&](size_t column, size_t) {
+    const auto c = static_cast<Eigen::Index>(column);
+    forces.col(c).noalias() = pencil.k * x.col(c);
+  });
+  return forces;
+}
+
 // The first eigenvalue after `zeros` zero ones of the pencil within the span of columns. Directions with
 // almost no mass are ignored.
 double ritzValue(const SparsePencil& pencil, const Eigen::MatrixXd& span, int zeros) {
-  const Eigen::MatrixXd stiffness = span.transpose() * (pencil.k * span);
-  const Eigen::MatrixXd mass = span.transpose() * (pencil.m.asDiagonal() * span);
+  const Eigen::MatrixXd stiffness = transposedProduct(span, forces(pencil, span)),
+                        mass = transposedProduct(span, pencil.m.asDiagonal() * span);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> masses(mass);
   const double least = 1e-9 * masses.eigenvalues().maxCoeff();
   const auto first = (masses.eigenvalues().array() < least).count();
@@ -90,6 +103,31 @@ bool bendingJoinsAll(const TriangleMesh& mesh, const SolverStiffness& stiffness)
   return std::ranges::all_of(roots, [](uint32_t root) { return root == 0; });
 }
 
+// The eigenvalue of a motion across triangles that tilt by the rounding of positions to float32, so that
+// they stretch although they should only turn. 0 for a mesh without masses.
+double eigenvalueOfTilt(const TriangleMesh& mesh, const SparsePencil& pencil) {
+  std::vector<double> local;  // squared frequencies of single vertices while all others are fixed
+  for (Eigen::Index u = 0; u < pencil.m.size(); ++u)
+    if (pencil.m[u] > 0) local.push_back(pencil.k.coeff(u, u) / pencil.m[u]);
+  if (local.empty()) return 0;
+  const auto middle = local.begin() + static_cast<ptrdiff_t>(local.size() / 2);
+  std::ranges::nth_element(local, middle);
+  double length = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    length += limber::length(mesh.corner(t, 1) - mesh.corner(t, 0));
+  const double edge = length / std::max<double>(1, mesh.triangleCount());
+  const double tilt = kFloatRounding * bounds(mesh).diagonal() / edge;
+  return *middle * tilt * tilt;
+}
+
+// Makes columns orthogonal to rigid motions in the mass product. Massless unknowns are left as they are.
+void removeRigidMotions(const TriangleMesh& mesh, const ShiftedPencil& shifted, Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(columns.rows(), 6);
+  rigid.topRows(3 * static_cast<Eigen::Index>(mesh.vertexCount())) = rigidMotions(mesh);
+  const Eigen::MatrixXd gram = shifted.massProduct(rigid, rigid);
+  columns -= rigid * gram.ldlt().solve(shifted.massProduct(rigid, columns));
+}
+
 }  // namespace
 
 std::shared_ptr<const FactorStructure> structureOf(const SolverStiffness& stiffness, const Job& job) {
@@ -111,6 +149,7 @@ EigenSolution SolverVibration::solve(std::span<const double> factors, int count,
                                      Job& job) const {
   EigenOptions options;
   options.pairCount = count + kSpareModes;
+  options.spareCount = kSpareModes;
   options.expectedNullity = rigidMotionCount();
   options.scale = scale;
   options.structure = structure_;
@@ -137,7 +176,9 @@ ModeBasis SolverVibration::follow(std::span<const double> factors, const ModeBas
                                   Job& job) const {
   if (start.modeCount() == 0) return start;
   if (setting_.stiffness.unknownCount() <= kFewUnknowns)
-    return solve(factors, count, start.lambda[0], job).basis;
+    return solve(factors, std::max(count, static_cast<int>(start.modeCount()) - kSpareModes), start.lambda[0],
+                 job)
+        .basis;
   const SparsePencil pencil = pencilOf(factors);
   return refineModes(pencil, startFor(pencil, start), refineOptionsFor(start, count), job).basis;
 }
@@ -145,10 +186,8 @@ ModeBasis SolverVibration::follow(std::span<const double> factors, const ModeBas
 EigenSolution SolverVibration::solveFrom(const ModeBasis& start, std::span<const double> factors, int count,
                                          Job& job) const {
   const SparsePencil pencil = pencilOf(factors);
-  RefineOptions options = refineOptionsFor(start, count);
-  options.isProved = setting_.pinned.empty();
   std::optional<EigenSolution> refined =
-      refineLowestEigenpairs(pencil, startFor(pencil, start), options, job);
+      refineLowestEigenpairs(pencil, startFor(pencil, start), refineOptionsFor(start, count), job);
   return refined ? *std::move(refined) : solve(factors, count, start.lambda[0], job);
 }
 
@@ -184,26 +223,26 @@ double SolverVibration::refinedFirstEigenvalue(double rough, Eigen::MatrixXd mot
   return rough;
 }
 
-uint32_t SolverVibration::countNoise(std::span<const double> factors, Job& job) const {
-  if (bendingJoinsAll(setting_.mesh, setting_.stiffness)) return 0;
-  const SparsePencil pencil = pencilOf(factors);
-  const TriangleMesh& mesh = setting_.mesh;
-  std::vector<double> local;  // squared frequencies of single vertices while all others are fixed
-  double length = 0;
-  for (Eigen::Index u = 0; u < pencil.m.size(); ++u)
-    if (pencil.m[u] > 0) local.push_back(pencil.k.coeff(u, u) / pencil.m[u]);
-  if (local.empty()) return 0;
-  const auto middle = local.begin() + static_cast<ptrdiff_t>(local.size() / 2);
-  std::ranges::nth_element(local, middle);
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    length += limber::length(mesh.corner(t, 1) - mesh.corner(t, 0));
-  const double edge = length / std::max<double>(1, mesh.triangleCount());
-  const double tilt = kFloatRounding * bounds(mesh).diagonal() / edge;
+SolverVibration::Estimate SolverVibration::estimate(Job& job) const {
+  if (!setting_.pinned.empty() || bendingJoinsAll(setting_.mesh, setting_.stiffness))
+    return {0, roughFirstEigenvalue(job)};
+  return estimateAboveNoise(job);
+}
+
+// Inertia counts the eigenvalues of noise at a shift that is far below the elastic ones, so that one step of
+// inverse iteration from quadratic displacements that are orthogonal to rigid motions finds the first of
+// these.
+SolverVibration::Estimate SolverVibration::estimateAboveNoise(Job& job) const {
+  const SparsePencil pencil = pencilOf(std::vector<double>(setting_.stiffness.count(), 1.0));
+  Eigen::MatrixXd motions = quadraticMotions(setting_.mesh, setting_.stiffness.unknownCount());
   ShiftedPencil shifted(pencil, structure_, job);
-  requireMemoryToSolve(shifted.memoryWith(0));
-  const uint32_t below = shifted.countBelow(std::max(*middle * tilt * tilt, eigenvalueOfRounding(pencil)));
+  requireMemoryToSolve(shifted.memoryWith(2 * static_cast<int>(motions.cols())));
+  const double rounding = eigenvalueOfRounding(pencil);
+  const uint32_t below = shifted.countBelow(std::max(eigenvalueOfTilt(setting_.mesh, pencil), rounding));
   const auto rigid = static_cast<uint32_t>(rigidMotionCount());
-  return below > rigid ? below - rigid : 0;
+  if (below > rigid) return {below - rigid, 0};
+  removeRigidMotions(setting_.mesh, shifted, motions);
+  return {0, notBelow(rounding / kZeroRatio, ritzValue(pencil, shifted.inverseStep(motions), 0))};
 }
 
 }  // namespace limber

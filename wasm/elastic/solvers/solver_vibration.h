@@ -35,9 +35,9 @@ class SolverVibration {
   // eigenvalue, > 0. EigenSolution::nullity exceeds `rigidMotionCount` if the solver's energy leaves other
   // motions without resistance.
   EigenSolution solve(std::span<const double> factors, int count, double scale, Job& job) const;
-  // The same from `start`, more than `count` modes of a very similar body. They are refined; if that does not
-  // give the lowest modes, the search starts from scratch. If nothing is pinned, another factorisation proves
-  // that no mode is missing. Accurate for eigenvalues and mass inner products.
+  // The same from `start`, more than `count` modes of a very similar body. They are refined, and those that
+  // it lacks are found; if that does not converge, the search starts from scratch. Accurate for eigenvalues
+  // and mass inner products.
   EigenSolution solveFrom(const ModeBasis& start, std::span<const double> factors, int count, Job& job) const;
   // Refines modes of nearly the same factors and masses, by inverse iteration; finds the modes that the start
   // approximates. `count` of them are exact; it returns as many as the start has.
@@ -51,17 +51,24 @@ class SolverVibration {
   const std::vector<double>& masses() const { return setting_.masses; }
   const std::vector<uint32_t>& pinned() const { return setting_.pinned; }
 
-  // A rough estimate of the first elastic eigenvalue with factors of 1, within a power of ten: a few steps of
-  // inverse iteration, from a value between those of quadratic displacements with all constraints and with
-  // the bending constraints only. One to three factorisations.
-  double roughFirstEigenvalue(Job& job) const;
-  // The number of elastic eigenvalues that are 0 up to the rounding of positions to float32. It is positive
-  // if a sheet of springs is flat, or if sheets swing about an edge or a vertex that they share. It is 0,
-  // without a factorisation, if bending elements join all triangles; otherwise it takes one factorisation.
-  uint32_t countNoise(std::span<const double> factors, Job& job) const;
+  // What a search from scratch has to know, with factors of 1.
+  struct Estimate {
+    // Elastic eigenvalues that are 0 up to the rounding of positions to float32: there are some if a sheet of
+    // springs is flat, or if sheets swing about an edge or a vertex that they share. 0 if something is
+    // pinned.
+    uint32_t noiseCount;
+    // The first elastic one within a power of ten; 0 if there is noise.
+    double firstEigenvalue;
+  };
+  // Takes one to three factorisations.
+  Estimate estimate(Job& job) const;
 
  private:
   SparsePencil pencilOf(std::span<const double> factors) const;
+  // From a few steps of inverse iteration that start between the eigenvalues of quadratic displacements with
+  // all constraints and with the bending constraints only.
+  double roughFirstEigenvalue(Job& job) const;
+  Estimate estimateAboveNoise(Job& job) const;
   double refinedFirstEigenvalue(double rough, Eigen::MatrixXd motions, Job& job) const;
   Eigen::MatrixXd startFor(const SparsePencil& pencil, const ModeBasis& start) const;
   RefineOptions refineOptionsFor(const ModeBasis& start, int count) const;

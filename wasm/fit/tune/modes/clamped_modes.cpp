@@ -60,16 +60,17 @@ EigenSolution PartModesPair::find(int rigidMotions, const Find& find) {
 }
 
 void PartModesPair::solveResult(double scale, Job& job) {
-  const std::vector<double> factors = ones(pair_->result);
-  // Checked first, because no search converges among hundreds of motions without resistance. Pins only remove
-  // such motions.
-  if (result_.pinned().empty() && result_.countNoise(factors, job) > 0) {
-    status_ = FrequencyStatus::NoResistance;
-    return;
+  if (scale <= 0) {
+    const SolverVibration::Estimate estimate = result_.estimate(job);
+    // No search converges among hundreds of motions without resistance.
+    if (estimate.noiseCount > 0) {
+      status_ = FrequencyStatus::NoResistance;
+      return;
+    }
+    scale = estimate.firstEigenvalue;
   }
-  const double rough = scale > 0 ? scale : result_.roughFirstEigenvalue(job);
   modes_ = find(result_.rigidMotionCount(), [&] {
-             return result_.solve(factors, count_ + kMargin, rough, job);
+             return result_.solve(ones(pair_->result), count_ + kMargin, scale, job);
            }).basis;
   if (isDefinite() && modes_.modeCount() == 0) status_ = FrequencyStatus::NoConvergence;
 }
@@ -101,10 +102,11 @@ void PartModesPair::solveOriginal(Job& job) {
   match();
 }
 
-void PartModesPair::follow(std::span<const double> factors, Job& job) {
+void PartModesPair::follow(std::span<const double> factors, int count, Job& job) {
   const std::vector<double> ofPart = pair_->result.constraintValues(factors);
+  const int exact = std::min(count_, count + kMargin);
   ModeBasis found;
-  if (!converges([&] { found = result_.follow(ofPart, modes_, count_, job); }))
+  if (!converges([&] { found = result_.follow(ofPart, modes_, exact, job); }))
     status_ = FrequencyStatus::NoConvergence;
   else if (found.modeCount() < wanted_.size())
     status_ = FrequencyStatus::NoResistance;
@@ -155,8 +157,8 @@ FrequencyStatus ClampedModes::status() const {
   return lost == parts_.end() ? FrequencyStatus::Found : lost->status();
 }
 
-void ClampedModes::follow(std::span<const double> factors, Job& job) {
-  for (PartModesPair& part : parts_) part.follow(factors, job);
+void ClampedModes::follow(std::span<const double> factors, int count, Job& job) {
+  for (PartModesPair& part : parts_) part.follow(factors, count, job);
 }
 
 void ClampedModes::setResultMasses(std::span<const double> masses) {

@@ -30,9 +30,10 @@ class PartModesPair {
   bool isDefinite() const { return status_ == FrequencyStatus::Found; }
   FrequencyStatus status() const { return status_; }
 
-  // Finds the modes of the result for other factors of its constraints, to about 1e-4 in eigenvalues. If too
-  // few are found, the previous ones are kept, so that they can be tracked to better factors.
-  void follow(std::span<const double> factors, Job& job);
+  // Finds the modes of the result for other factors of its constraints: the partners of the first `count`
+  // modes of the original, at most all, to about 1e-4 in eigenvalues. If too few are found, the previous ones
+  // are kept, so that they can be tracked to better factors.
+  void follow(std::span<const double> factors, int count, Job& job);
   // The same part with other masses of the result, per vertex of the body; its modes have yet to be tracked.
   void setResultMasses(std::span<const double> masses);
 
@@ -87,8 +88,9 @@ class ClampedModes {
   // The status of the first part whose modes are not found, if there is one.
   FrequencyStatus status() const;
 
-  // `factors`: per constraint of the result's body.
-  void follow(std::span<const double> factors, Job& job);
+  // `factors`: per constraint of the result's body. Only the first `count` modes have to be exact.
+  void follow(std::span<const double> factors, int count, Job& job);
+  void follow(std::span<const double> factors, Job& job) { follow(factors, static_cast<int>(count_), job); }
   void setResultMasses(std::span<const double> masses);
 
   // The lowest modes of the original over all parts, ascending: at most the count.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/parallel.h"
 #include "compare/assignment.h"
 #include "mesh/component_frame.h"
 #include "mesh/topology.h"
@@ -118,9 +119,13 @@ std::deque<PartPair> pairParts(const TuneBodies& bodies, Job& job) {
   std::deque<PartPair> pairs;
   for (size_t i = 0; i < partner.size(); ++i) {
     PartPair& pair = pairs.emplace_back();
-    pair.original =
-        solverPart(original.parts.parts[original.matters[i]], bodies.model, bodies.originalConstants, job);
-    pair.result = solverPart(result.parts.parts[partner[i]], bodies.model, bodies.resultConstants, job);
+    parallelFor(2, 1, [&](size_t body, size_t) {
+      if (body == 0)
+        pair.original = solverPart(original.parts.parts[original.matters[i]], bodies.model,
+                                   bodies.originalConstants, job);
+      else
+        pair.result = solverPart(result.parts.parts[partner[i]], bodies.model, bodies.resultConstants, job);
+    });
     pair.result.constraints = std::move(resultConstraints[partner[i]]);
     pair.points = closestPoints(pair.original.mesh, pair.result.mesh);
   }

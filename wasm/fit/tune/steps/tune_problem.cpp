@@ -11,6 +11,7 @@ namespace {
 // The first eigenvalue of a beam clamped at one end over that of a free one is (1.875 / 4.730)^4 = 0.025;
 // only used to start the search for clamped modes.
 constexpr double kClampedOverFree = 0.03;
+constexpr int kJudgedModes = 10;
 constexpr double kNoError = std::numeric_limits<double>::quiet_NaN();
 
 int wantedModes(ClampKind kind) {
@@ -70,8 +71,8 @@ void fillRows(const ClampedModes& clamping, const std::vector<double>& factors, 
 
 // The error of the first ten modes at other factors; NaN if these leave motions without resistance.
 double followedError(ClampedModes modes, const std::vector<double>& factors, Job& job) {
-  modes.follow(factors, job);
-  return modes.isDefinite() ? modes.meanError(0, 10) : kNoError;
+  modes.follow(factors, kJudgedModes, job);
+  return modes.isDefinite() ? modes.meanError(0, kJudgedModes) : kNoError;
 }
 
 }  // namespace
