@@ -100,7 +100,7 @@ describe('a binding file', () => {
     const text = writeBinding([bound.body]);
     const cases: [string, string][] = [
       ['torus', 'is not JSON'],
-      ['{"schema":"limber-report/1"}', 'is not a limber-binding/1'],
+      ['{"schema":"limber-report/1"}', 'is no binding file, because its "schema" is not "limber-binding/1"'],
       [text.replace(/"offset": ".{8}/, '"offset": "'), 'has damaged arrays for "torus"'],
       [text.replace(/"faces": \d+/, '"faces": 3'), 'refers to a triangle that "torus" does not have'],
       [text.replace(/"mesh": \d+/, '"mesh": 0.5'), 'lacks the mesh index or the face count of "torus"'],

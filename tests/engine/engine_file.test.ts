@@ -37,7 +37,7 @@ describe("a file of an engine's parameters", () => {
     expect(text).toBe(`compliance=${original.compliance}`);
     expect(original.compliance).not.toBe(engine.compliance);
     expect(() => engineOfText('s.json', JSON.stringify({ ...settings, bodies: [] }))).toThrow(
-      's.json is not a limber-settings/1: write it again with limber optimize --settings.',
+      's.json has no bodies: write it again with limber optimize --settings.',
     );
   });
 

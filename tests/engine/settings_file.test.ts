@@ -73,7 +73,11 @@ describe('a damaged settings file', () => {
 
   it.each([
     ['{', 'is not JSON'],
-    ['{"schema": "limber-binding/1"}', 'is not a limber-settings/1'],
+    [
+      '{"schema": "limber-binding/1"}',
+      'is no settings file, because its "schema" is not "limber-settings/1"',
+    ],
+    ['{"schema": "limber-settings/1", "bodies": []}', 'has no bodies'],
     [
       damaged((_, file) => (file.solver = 'havok' as SolverName)),
       'is for "havok", which is not one of shell, ',

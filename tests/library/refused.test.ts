@@ -78,7 +78,7 @@ it.each<[CommandName, object, string, string | null]>([
   [
     'simulate',
     { binding: '{}' },
-    'binding is not a limber-binding/1: give the binding that optimize returns with bind: true.',
+    'binding is no binding file, because its "schema" is not "limber-binding/1": give the binding that optimize returns with bind: true.',
     null,
   ],
   [

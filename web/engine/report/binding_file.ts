@@ -45,7 +45,9 @@ export function readBinding(
     throw new Error(`${name} ${problem}: ${cure}.`);
   };
   const { schema, bodies } = parse(text) ?? fail('is not JSON');
-  if (schema !== BINDING_SCHEMA || !Array.isArray(bodies)) return fail(`is not a ${BINDING_SCHEMA}`);
+  if (schema !== BINDING_SCHEMA)
+    return fail(`is no binding file, because its "schema" is not "${BINDING_SCHEMA}"`);
+  if (!Array.isArray(bodies)) return fail('has no bodies');
   return (bodies as BodyEntry[]).map((entry) => {
     if (typeof entry?.name !== 'string') return fail('has a body without a name');
     const { vertices, faces, mesh } = entry;

@@ -99,8 +99,9 @@ export function readSettingsFile(
     throw new Error(`${name} ${problem}: ${cure}.`);
   };
   const file = parse(text) ?? fail('is not JSON');
-  if (file.schema !== SETTINGS_SCHEMA || !Array.isArray(file.bodies) || file.bodies.length === 0)
-    return fail(`is not a ${SETTINGS_SCHEMA}`);
+  if (file.schema !== SETTINGS_SCHEMA)
+    return fail(`is no settings file, because its "schema" is not "${SETTINGS_SCHEMA}"`);
+  if (!Array.isArray(file.bodies) || file.bodies.length === 0) return fail('has no bodies');
   if (!(SOLVER_NAMES as readonly unknown[]).includes(file.solver))
     return fail(
       typeof file.solver === 'string'
