@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kBlocksOfRefinement = 4;  // of vectors that are allocated at the same time
 constexpr int kBlocksOfLanczos = 6;     // of its basis, at most
-constexpr int kRandomColumns = 4;       // find what a start lacks, in at least so many blocks:
-constexpr int kLeastBlocks = 3;
+constexpr int kRandomColumns = 4;       // beside a start, to find what it lacks
+constexpr int kLeastBlocks = 3;         // that random columns need for that
 
 // A start for block Lanczos, over the heavy unknowns: orthonormal up to the quality of `start`.
 Eigen::MatrixXd withRandomColumns(const ShiftedPencil& pencil, const Eigen::MatrixXd& start) {
