@@ -39,10 +39,10 @@ class Run {
 
   BlockLanczosPairs from(const Eigen::MatrixXd& start) {
     Eigen::MatrixXd block = orthonormalised(start);
-    while (block.cols() > 0 && size_ + block.cols() <= options_.mostVectors) {
+    for (int blocks = 1; block.cols() > 0 && size_ + block.cols() <= options_.mostVectors; ++blocks) {
       Eigen::MatrixXd rest = expand(block);
       findPairs(rest, block.cols());
-      if (++blocks_ >= options_.leastBlocks && hasConverged()) break;
+      if (blocks >= options_.leastBlocks && hasConverged()) break;
       block = orthonormalised(std::move(rest));
     }
     return pairs();
@@ -93,7 +93,6 @@ class Run {
   const BlockLanczosOptions& options_;
   Eigen::MatrixXd basis_;
   Eigen::Index size_ = 0;
-  int blocks_ = 0;
   Eigen::MatrixXd projected_;  // of the inverted pencil onto the basis: the upper half
   Eigen::VectorXd inverse_, residual_;
   Eigen::MatrixXd shares_;

@@ -81,7 +81,7 @@ EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd
 
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job) {
-  if (options.spareCount < 1) return std::nullopt;  // no spare pair whose eigenvalue bounds the gap
+  if (options.spareCount < 1) return std::nullopt;  // the last pairs of a block converge slowest
   ShiftedPencil shifted(pencil, options.structure, job);
   const Eigen::Index columns = start.cols() + kRandomColumns;
   const Eigen::Index mostVectors = std::min(kBlocksOfLanczos * columns, shifted.heavyCount());

@@ -33,9 +33,8 @@ EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd
 
 // The same by block Lanczos, which takes fewer steps. Pseudo-random columns in addition to `start` find the
 // pairs that it lacks. Returns nothing if a pair that has to be exact has not converged, if there is no spare
-// pair, or if memory is short. Vectors are as accurate as their eigenvalues in
-// the mass norm, but not in energy: they keep more of the high-frequency error of `start`. `largestStepCount`
-// and `admit` are not read.
+// pair, or if memory is short. Vectors are as accurate as their eigenvalues in the mass norm, but not in
+// energy: they keep more of the high-frequency error of `start`. `largestStepCount` and `admit` are not read.
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job);
 

@@ -40,14 +40,7 @@ uint32_t ShiftedPencil::countBelow(double lambda) {
 
 template <class Columns>
 Columns ShiftedPencil::invertColumns(const Columns& x) const {
-  Columns full;
-  if (heavyCount() == unknownCount()) {
-    full = rootMass_.asDiagonal() * x;
-    factorisation_.solve(full, job_);
-    full.array().colwise() *= rootMass_.array();
-    return full;
-  }
-  full = Columns::Zero(unknownCount(), x.cols());
+  Columns full = Columns::Zero(unknownCount(), x.cols());
   full(heavy_, Eigen::all) = rootMass_.asDiagonal() * x;
   factorisation_.solve(full, job_);
   return rootMass_.asDiagonal() * full(heavy_, Eigen::all);

@@ -10,7 +10,6 @@
 #include "base/parallel.h"
 #include "elastic/followed_modes.h"
 #include "elastic/pins.h"
-#include "elastic/shell.h"
 #include "elastic/solve_modes.h"
 #include "linear/dense/tall_product.h"
 #include "linear/eigen_search.h"
@@ -121,9 +120,8 @@ double eigenvalueOfTilt(const TriangleMesh& mesh, const SparsePencil& pencil) {
 }
 
 // Makes columns orthogonal to rigid motions in the mass product. Massless unknowns are left as they are.
-void removeRigidMotions(const TriangleMesh& mesh, const ShiftedPencil& shifted, Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(columns.rows(), 6);
-  rigid.topRows(3 * static_cast<Eigen::Index>(mesh.vertexCount())) = rigidMotions(mesh);
+void removeRigidMotions(const Eigen::MatrixXd& rigid, const ShiftedPencil& shifted,
+                        Eigen::MatrixXd& columns) {
   const Eigen::MatrixXd gram = shifted.massProduct(rigid, rigid);
   columns -= rigid * gram.ldlt().solve(shifted.massProduct(rigid, columns));
 }
@@ -175,10 +173,10 @@ RefineOptions SolverVibration::refineOptionsFor(const ModeBasis& start, int coun
 ModeBasis SolverVibration::follow(std::span<const double> factors, const ModeBasis& start, int count,
                                   Job& job) const {
   if (start.modeCount() == 0) return start;
-  if (setting_.stiffness.unknownCount() <= kFewUnknowns)
-    return solve(factors, std::max(count, static_cast<int>(start.modeCount()) - kSpareModes), start.lambda[0],
-                 job)
-        .basis;
+  if (setting_.stiffness.unknownCount() <= kFewUnknowns) {
+    const int sought = std::max(count, static_cast<int>(start.modeCount()) - kSpareModes);
+    return solve(factors, sought, start.lambda[0], job).basis;
+  }
   const SparsePencil pencil = pencilOf(factors);
   return refineModes(pencil, startFor(pencil, start), refineOptionsFor(start, count), job).basis;
 }
@@ -241,7 +239,7 @@ SolverVibration::Estimate SolverVibration::estimateAboveNoise(Job& job) const {
   const uint32_t below = shifted.countBelow(std::max(eigenvalueOfTilt(setting_.mesh, pencil), rounding));
   const auto rigid = static_cast<uint32_t>(rigidMotionCount());
   if (below > rigid) return {below - rigid, 0};
-  removeRigidMotions(setting_.mesh, shifted, motions);
+  removeRigidMotions(startFor(pencil, {}), shifted, motions);
   return {0, notBelow(rounding / kZeroRatio, ritzValue(pencil, shifted.inverseStep(motions), 0))};
 }
 

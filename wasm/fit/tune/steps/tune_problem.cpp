@@ -11,7 +11,6 @@ namespace {
 // The first eigenvalue of a beam clamped at one end over that of a free one is (1.875 / 4.730)^4 = 0.025;
 // only used to start the search for clamped modes.
 constexpr double kClampedOverFree = 0.03;
-constexpr int kJudgedModes = 10;
 constexpr double kNoError = std::numeric_limits<double>::quiet_NaN();
 
 int wantedModes(ClampKind kind) {

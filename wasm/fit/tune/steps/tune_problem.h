@@ -10,6 +10,8 @@
 
 namespace limber {
 
+inline constexpr int kJudgedModes = 10;  // the first ones, whose mean error is reported
+
 struct TuneSetup {
   const std::deque<PartPair>& pairs;
   std::vector<Clamping> clampings;  // the free one first
@@ -47,7 +49,7 @@ class TuneProblem {
 
   // Mean errors in %, see TunedFrequencies. `otherPinsError` first tracks a copy of those modes to the
   // current factors.
-  double freeError() const { return clampings_[0].meanError(0, 10); }
+  double freeError() const { return clampings_[0].meanError(0, kJudgedModes); }
   double unseenError() const { return clampings_[0].meanError(20, 30); }
   double otherPinsError(Job& job) const;
   // freeError() for other masses of the result and factors of 1. Leaves the problem unchanged.
