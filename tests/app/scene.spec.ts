@@ -78,6 +78,8 @@ test('faces are counted alike everywhere, without degenerate ones, which the hea
   const slider = page.getByRole('slider', { name: 'Kept faces of the scene' });
   await expect(slider).toHaveAttribute('aria-valuetext', '512 of 1,024 faces');
   await expect(page.locator('.viewport').getByText('1,024 faces')).toBeVisible();
+  await slider.press('Home');
+  await expect(page.getByText('fewest: parts or holes would change')).toBeVisible();
 });
 
 test('eyes hide meshes, and the stage shows the chosen one alone on request', async ({ page }) => {

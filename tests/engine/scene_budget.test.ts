@@ -21,10 +21,11 @@ beforeAll(async () => {
 });
 
 /** A curve of a body that loses two faces with each collapse. */
-function curveOf(errors: number[], diagonal = 1): ErrorCurve {
+function curveOf(errors: number[], diagonal = 1, flip = 0): ErrorCurve {
   const faces = Uint32Array.from({ length: errors.length + 1 }, (_, k) => 2 * (errors.length - k) + 4);
   const ends = Uint32Array.from({ length: errors.length + 1 }, (_, k) => k);
-  return { ends, faces, written: faces, errors: Float64Array.from([0, ...errors]), diagonal };
+  const refused = { topology: 1, flip, lock: 0, angle: 0, deviation: 0 };
+  return { ends, faces, written: faces, errors: Float64Array.from([0, ...errors]), diagonal, refused };
 }
 
 describe('the queue of a scene', () => {
@@ -43,6 +44,12 @@ describe('the queue of a scene', () => {
     expect(queue.targets(10)).toEqual([6, 4]);
     expect(queue.targets(1)).toEqual([4, 4]);
     expect(queue.targets(20)).toEqual([10, 10]);
+  });
+
+  it('adds up why the bodies cannot have fewer faces', () => {
+    const one = { curve: curveOf([0.1], 1, 2), scale: 1, limit: 0 };
+    const { refused } = new SceneQueue([one, { ...one, curve: curveOf([0.2], 1, 3) }]);
+    expect(refused).toEqual({ topology: 2, flip: 5, lock: 0, angle: 0, deviation: 0 });
   });
 
   it('takes equal bodies down together where many of their steps have one error', () => {

@@ -261,12 +261,14 @@ export const slider = computed(() => {
       fewest: shares?.fewest ?? 0,
       faces: shares?.faces ?? 0,
       wanted: wants.faces.value ?? shares?.wanted ?? 0,
+      refused: shares?.refused ?? null,
     };
   return {
     isReady: history !== null,
     fewest: history?.floorFaces ?? 0,
     faces: history?.faces ?? results.body.value?.inspection.faces ?? 0,
     wanted: wantedFaces.value,
+    refused: history?.refused ?? null,
   };
 });
 

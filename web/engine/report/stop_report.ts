@@ -57,7 +57,6 @@ export const writtenFacesOf = (bodies: StoppedBody[]): number =>
 export function stopReport(bodies: StoppedBody[]): StopReport {
   const above = bodies.filter(({ faces, targetFaces }) => faces > targetFaces);
   const stuck = above.filter(({ guard, frequency }) => !guard && !frequency?.isBinding);
-  const total = (key: keyof Refused) => sum(stuck.map(({ history }) => history.refused[key]));
   const [first] = above as (StoppedBody | undefined)[];
   const guarded = bodies.flatMap(({ guard, faces, name = '' }) =>
     guard ? [{ body: name, faces, ...guard }] : [],
@@ -65,15 +64,21 @@ export function stopReport(bodies: StoppedBody[]): StopReport {
   const findings = bodies.flatMap((body) => (body.frequency ? [{ ...body, frequency: body.frequency }] : []));
   return {
     reason: first ? reasonOf(first) : 'target',
-    refused: {
-      topology: total('topology'),
-      flip: total('flip'),
-      lock: total('lock'),
-      angle: total('angle'),
-      deviation: total('deviation'),
-    },
+    refused: sumRefused(stuck.map(({ history }) => history.refused)),
     ...(findings.length > 0 ? { frequency: frequencyReport(findings) } : {}),
     ...(guarded.length > 0 ? { guarded } : {}),
+  };
+}
+
+/** The counts of several bodies together. */
+export function sumRefused(all: readonly Refused[]): Refused {
+  const total = (key: keyof Refused) => sum(all.map((refused) => refused[key]));
+  return {
+    topology: total('topology'),
+    flip: total('flip'),
+    lock: total('lock'),
+    angle: total('angle'),
+    deviation: total('deviation'),
   };
 }
 

@@ -82,7 +82,7 @@ function ExactFaces({ value, total, set }: { value: number; total: number; set(f
 
 /** Why there are not fewer faces, in a few words; the panel explains it. */
 function ShortReason() {
-  const { isReady, fewest, wanted } = slider.value;
+  const { isReady, fewest, wanted, refused } = slider.value;
   const { value: fit } = shownFit;
   if (isLimited.value && !isSharing.value) {
     const faces = count(faceCount(shownMesh.value!.mesh));
@@ -90,7 +90,7 @@ function ShortReason() {
     return <span class="stopped">{say('stopped at {faces}: {limit}', { faces, limit })}</span>;
   }
   if (!isReady || wanted > fewest) return null;
-  const reason = isSharing.value ? null : mainRefusal(results.history.value!.refused);
+  const reason = refused && mainRefusal(refused);
   return (
     <span class="stopped">
       {reason ? say('fewest: {reason}', { reason: say(reason) }) : say('fewest possible')}

@@ -1,6 +1,6 @@
 /** Stage: the deviation of a body by its number of faces, as estimated by the collapses. */
 
-import type { History } from '../../core/core';
+import type { History, Refused } from '../../core/core';
 import { wholeEnds } from './deviation_limit';
 import { historyStage } from '../history';
 import { writtenFaces } from '../../body/layers';
@@ -22,6 +22,8 @@ export interface ErrorCurve {
   errors: Float64Array;
   /** of the body's bounding box */
   diagonal: number;
+  /** why its last level has no fewer faces */
+  refused: Refused;
 }
 
 export const errorCurveStage = declareStage({
@@ -32,7 +34,7 @@ export const errorCurveStage = declareStage({
     const { layers, mesh } = prepared;
     const curve = errorCurve(history);
     const written = layers.most > 1 ? writtenFaces(layers, mesh, history, curve.ends) : curve.faces;
-    return { ...curve, written, diagonal: prepared.diagonal };
+    return { ...curve, written, diagonal: prepared.diagonal, refused: history.refused };
   },
 });
 

@@ -1,5 +1,6 @@
 /** Divides the faces that are requested of a file among its bodies. */
 
+import type { Refused } from '../../core/core';
 import { allFaces } from '../../body/layers';
 import { instanceScale } from '../../document/placements';
 import type { Settings } from '../../settings/options';
@@ -125,6 +126,8 @@ export interface SharedFaces {
   /** the number of faces of the originals, and the fewest that they can have */
   faces: number;
   fewest: number;
+  /** why not fewer, of these bodies together */
+  refused: Refused;
   /** targets[i]: of body i of the file */
   targets: number[];
   /** faces of each body as the result will have them without limits: like `targets`, but a body stops at the fewest faces it can have */
@@ -136,10 +139,10 @@ export function shareFaces(file: FileRun, asked: RequestedFile): SharedFaces {
   const { settings, own } = asked;
   const shared = file.usable.filter(({ i }) => !own?.has(i));
   const queue = sceneQueue(file, shared, settings, 1);
-  const { faces, fewest } = queue;
+  const { faces, fewest, refused } = queue;
   const wanted = wantedFaces(asked, faces);
   const { targets } = requestFile(file, asked);
   const isReached = wanted >= fewest;
   const expected = isReached ? targets : requestFile(file, { ...asked, faces: fewest }).targets;
-  return { wanted, faces, fewest, targets, expected };
+  return { wanted, faces, fewest, refused, targets, expected };
 }

@@ -1,5 +1,7 @@
 /** Distributes faces among the bodies of a scene by one queue of their errors. */
 
+import type { Refused } from '../../core/core';
+import { sumRefused } from '../../report/stop_report';
 import type { ErrorCurve } from './error_curve';
 
 /** One body of a scene. */
@@ -51,6 +53,11 @@ export class SceneQueue {
   /** The fewest written faces that the scene can have. */
   get fewest(): number {
     return this.left.length > 0 ? this.left[this.left.length - 1] : this.total;
+  }
+
+  /** Why it cannot have fewer: the counts of all bodies together. */
+  get refused(): Refused {
+    return sumRefused(this.scene.map(({ curve }) => curve.refused));
   }
 
   /**
