@@ -118,6 +118,23 @@ test('the View menu is closed by Escape, by a click elsewhere and by another ste
   await expect(choices).toBeHidden();
 });
 
+test('a key that is pressed while the step changes finds no menu that is gone', async ({ page }) => {
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  await page.evaluate(async () => {
+    const motion = [...document.querySelectorAll<HTMLElement>('.steps button')].find((button) =>
+      button.textContent!.includes('Motion'),
+    );
+    motion!.click();
+    for (let i = 0; i < 20; ++i) {
+      document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape', bubbles: true }));
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  });
+  await expect(page.getByRole('button', { name: 'Bottom', exact: true })).toBeVisible();
+  expect(errors).toEqual([]);
+});
+
 test(
   'looks change the picture, and the animation of the file moves it',
   { tag: '@full' },

@@ -1,7 +1,7 @@
 /** How the mesh is drawn, and the legend of its colours. */
 
 import { signal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { spellModes } from '../../../engine/core/mode_set';
 import { chooseField, isFileDrawn, results, shownField, view } from '../../state/store';
 import type { FieldName, LookName } from '../../state/store';
@@ -51,7 +51,8 @@ export function Legend() {
 /** Closed by a click elsewhere and by Escape, which then does nothing else. */
 function ViewMenu() {
   const menu = useRef<HTMLDetailsElement>(null);
-  useEffect(() => {
+  // Preact ends other effects only after the next picture, when the menu may be gone.
+  useLayoutEffect(() => {
     const close = (event: PointerEvent): void => {
       if (!menu.current!.contains(event.target as Node)) menu.current!.open = false;
     };
