@@ -242,7 +242,8 @@ TEST(SolverVibration, FindsWhatIsMissingInAStart) {
     const ModeBasis start = solved(stiffness, vibration, 18, job),
                     expected = vibration.solve(uneven(stiffness), 12, start.lambda[0], job).basis;
     for (const int missing : {1, 3}) {
-      const EigenSolution found = vibration.solveFrom(without(start, 4, missing), uneven(stiffness), 12, job);
+      const EigenSolution found =
+          vibration.solveFrom(without(start, 4, missing), {uneven(stiffness), 12}, job);
       EXPECT_EQ(found.nullity, 6u);
       expectNear(found.basis, expected);
     }
@@ -263,7 +264,7 @@ TEST(SolverVibration, FindsWhatIsMissingInAStartOfAPinnedBody) {
                                     structureOf(stiffness, job));
     const ModeBasis start = solved(stiffness, vibration, 18, job);
     for (const int first : {0, 5})
-      expectNear(vibration.solveFrom(without(start, first, 2), ones(stiffness), 12, job).basis, start);
+      expectNear(vibration.solveFrom(without(start, first, 2), {ones(stiffness), 12}, job).basis, start);
   }
 }
 
@@ -274,7 +275,7 @@ TEST(SolverVibration, SolvesFromScratchWhereARefinementDoesNotFitIntoMemory) {
   const ModeBasis start = solved(stiffness, vibration, 18, job);
   const uint64_t vector = static_cast<uint64_t>(stiffness.unknownCount()) * sizeof(double);
   setMemoryLimit(structureOf(stiffness, job)->memory() + 180 * vector);
-  const EigenSolution found = vibration.solveFrom(start, ones(stiffness), 12, job);
+  const EigenSolution found = vibration.solveFrom(start, {ones(stiffness), 12}, job);
   setMemoryLimit(0);
   expectNear(found.basis, start);
 }

@@ -17,7 +17,8 @@ Eigen::MatrixXd freeRigidMotions(const TriangleMesh& mesh, const std::vector<uin
   if (clamped.empty()) return motions;
   Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
   for (const uint32_t row : clamped)
-    if (row < motions.rows()) squares += motions.row(row).transpose() * motions.row(row);
+    if (static_cast<Eigen::Index>(row) < motions.rows())
+      squares += motions.row(row).transpose() * motions.row(row);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(squares);
   return motions * solver.eigenvectors().leftCols(count);
 }

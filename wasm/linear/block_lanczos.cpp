@@ -2,8 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 #include "linear/dense/tall_product.h"
+#include "linear/eigen_search.h"
 
 namespace limber {
 namespace {
@@ -76,9 +78,16 @@ class Run {
     residual_.array() /= inverse_.array().abs();
   }
 
+  // The square of the inverse residual is the relative error of lambda - shift; relative to lambda it is
+  // larger by the quotient of both. A zero eigenvalue has no relative error.
   bool hasConverged() const {
-    return residual_.size() >= options_.pairs &&
-           residual_.head(options_.exact).maxCoeff() <= options_.tolerance;
+    if (residual_.size() < options_.pairs) return false;
+    for (Eigen::Index k = 0; k < options_.exact; ++k) {
+      const double share = std::min(1.0, 1 + pencil_.shift() * inverse_[k]);  // lambda / (lambda - shift)
+      const double factor = share > kZeroRatio ? std::sqrt(share) : 1;
+      if (!(residual_[k] <= factor * options_.tolerance)) return false;
+    }
+    return true;
   }
 
   BlockLanczosPairs pairs() const {

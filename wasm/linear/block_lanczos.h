@@ -11,7 +11,7 @@ inline constexpr Eigen::Index kBlocksBesideBasis = 3;
 struct BlockLanczosOptions {
   Eigen::Index pairs;        // of the lowest eigenvalues to return, >= exact
   Eigen::Index exact;        // of these, the number that must converge, >= 1
-  double tolerance;          // on their inverse residuals, > 0
+  double tolerance;          // on the roots of relative errors of their eigenvalues, > 0
   Eigen::Index mostVectors;  // of the basis, >= the columns of the start
   int leastBlocks = 1;       // before the search ends, so that random columns find what a good start lacks
 };

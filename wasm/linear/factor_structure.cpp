@@ -41,13 +41,12 @@ void buildFronts(const SparsePencil& pencil, const Job& job, FactorStructure& s)
     for (uint32_t node : nodes.boundary)
       forEachUnknown(node, [&](uint32_t u) { s.boundary.push_back(s.positionOf[u]); });
     front.boundaryCount = static_cast<uint32_t>(s.boundary.size()) - front.firstRow;
-    front.firstValue = static_cast<size_t>(s.valueCount);
     front.work = front.subtreeWork = frontWork(front.pivotCount, front.boundaryCount);
     front.children = nodes.children;
     for (uint32_t child : front.children) front.subtreeWork += s.fronts[child].subtreeWork;
     position += front.pivotCount;
     s.storedZeros += nodes.zeros;
-    s.valueCount += uint64_t{front.rows()} * front.pivotCount;
+    s.valueCount += front.valueCount();
     s.fronts.push_back(std::move(front));
   }
 }
@@ -147,6 +146,21 @@ double FactorStructure::work() const {
   double sum = 0;
   for (const Front& front : fronts) sum += front.work;
   return sum;
+}
+
+std::vector<bool> touchedFronts(const FactorStructure& structure, const std::vector<uint32_t>& unknowns) {
+  std::vector<bool> isChanged(structure.unknownCount);  // by position
+  for (const uint32_t u : unknowns) isChanged[structure.positionOf[u]] = true;
+  std::vector<bool> isTouched(structure.fronts.size());
+  for (uint32_t f = 0; f < structure.fronts.size(); ++f) {
+    const FactorStructure::Front& front = structure.fronts[f];
+    for (uint32_t k = 0; k < front.pivotCount && !isTouched[f]; ++k)
+      isTouched[f] = isChanged[front.firstPivot + k];
+    for (uint32_t k = 0; k < front.boundaryCount && !isTouched[f]; ++k)
+      isTouched[f] = isChanged[structure.boundary[front.firstRow + k]];
+    for (const uint32_t child : front.children) isTouched[f] = isTouched[f] || isTouched[child];
+  }
+  return isTouched;
 }
 
 }  // namespace limber

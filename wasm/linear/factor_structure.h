@@ -12,16 +12,15 @@ namespace limber {
 // all pencils with the same nodes and couplings can share it.
 struct FactorStructure {
   // A supernode: pivots that are eliminated together as one dense block. Its rows are the pivots followed by
-  // the boundary: the later positions coupled to them. Its columns of L are a rows() x pivotCount matrix,
-  // column by column, from firstValue on.
+  // the boundary: the later positions coupled to them. Its columns of L are a rows() x pivotCount matrix.
   struct Front {
     uint32_t firstPivot, pivotCount;   // positions firstPivot .. firstPivot + pivotCount - 1
     uint32_t firstRow, boundaryCount;  // its part of `boundary` and `slot`
-    size_t firstValue;
-    double work;         // multiplications of this front
-    double subtreeWork;  // including all fronts below it
+    double work;                       // multiplications of this front
+    double subtreeWork;                // including all fronts below it
     std::vector<uint32_t> children;
     uint32_t rows() const { return pivotCount + boundaryCount; }
+    uint64_t valueCount() const { return uint64_t{rows()} * pivotCount; }
   };
   // A subtree that one thread processes alone: fronts firstFront .. root.
   struct Task {
@@ -54,5 +53,9 @@ struct FactorStructure {
 // Orders the nodes of the pencil by nested dissection (linear/ordering/ordering.h) and groups them into
 // fronts. Throws Cancelled.
 FactorStructure factorStructure(const SparsePencil& pencil, const Job& job);
+
+// Per front, whether a change in rows and columns of these unknowns changes its columns of L: whether it or a
+// front below it has one of them among its rows.
+std::vector<bool> touchedFronts(const FactorStructure& structure, const std::vector<uint32_t>& unknowns);
 
 }  // namespace limber

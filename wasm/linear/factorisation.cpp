@@ -63,12 +63,52 @@ Factorisation::Factorisation(const SparsePencil& pencil, Job& job)
     : Factorisation(pencil, std::make_shared<const FactorStructure>(factorStructure(pencil, job))) {}
 
 Factorisation::Factorisation(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure)
-    : pencil_(pencil), structure_(std::move(structure)) {}
+    : pencil_(pencil), structure_(std::move(structure)) {
+  assignOffsets();
+}
+
+Factorisation::Factorisation(const SparsePencil& pencil, std::shared_ptr<const Factorisation> base,
+                             const std::vector<uint32_t>& unknowns)
+    : pencil_(pencil),
+      structure_(base->structure_),
+      base_(std::move(base)),
+      isTouched_(touchedFronts(*structure_, unknowns)) {
+  assignOffsets();
+}
+
+void Factorisation::assignOffsets() {
+  firstValue_.resize(structure_->fronts.size());
+  for (uint32_t f = 0; f < firstValue_.size(); ++f) {
+    firstValue_[f] = static_cast<size_t>(valueCount_);
+    if (isOwn(f)) valueCount_ += structure_->fronts[f].valueCount();
+  }
+}
+
+void Factorisation::keepFor(const std::vector<uint32_t>& unknowns) {
+  const std::vector<bool> isTouched = touchedFronts(*structure_, unknowns);
+  isKept_.resize(isTouched.size());
+  for (uint32_t f = 0; f < isTouched.size(); ++f)
+    for (const uint32_t child : structure_->fronts[f].children)
+      if (isTouched[f] && !isTouched[child]) isKept_[child] = true;
+}
+
+uint64_t Factorisation::memory() const {
+  uint64_t kept = 0;
+  for (uint32_t f = 0; f < isKept_.size(); ++f)
+    if (isKept_[f])
+      kept += uint64_t{structure_->fronts[f].boundaryCount} * structure_->fronts[f].boundaryCount;
+  return structure_->memory() - sizeof(double) * (structure_->valueCount - valueCount_ - kept);
+}
+
+const double* Factorisation::valuesOf(uint32_t f) const {
+  return isOwn(f) ? values_.data() + firstValue_[f] : base_->valuesOf(f);
+}
 
 // Fills the lower part of the columns of a front with its entries of K - shift M, and localRow with the row
 // of each position in it.
-void Factorisation::assemble(const Front& front, double shift, uint32_t* localRow) {
-  Values columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
+void Factorisation::assemble(uint32_t f, double shift, uint32_t* localRow) {
+  const Front& front = structure_->fronts[f];
+  Values columns(values_.data() + firstValue_[f], front.rows(), front.pivotCount);
   for (uint32_t k = 0; k < front.pivotCount; ++k) columns.col(k).tail(front.rows() - k).setZero();
   for (uint32_t k = 0; k < front.pivotCount; ++k) localRow[front.firstPivot + k] = k;
   for (uint32_t k = 0; k < front.boundaryCount; ++k)
@@ -83,53 +123,69 @@ void Factorisation::assemble(const Front& front, double shift, uint32_t* localRo
   }
 }
 
+// Adds the update of a child to the columns of a front and to its own update.
+void Factorisation::addUpdate(uint32_t child, uint32_t f, const uint32_t* localRow) {
+  const Front &front = structure_->fronts[f], &below = structure_->fronts[child];
+  Values columns(values_.data() + firstValue_[f], front.rows(), front.pivotCount);
+  Eigen::MatrixXd& update = updates_[f];
+  const Eigen::MatrixXd& from = isOwn(child) ? updates_[child] : base_->updates_[child];
+  std::vector<uint32_t> rowOf(below.boundaryCount);
+  for (uint32_t k = 0; k < below.boundaryCount; ++k)
+    rowOf[k] = localRow[structure_->boundary[below.firstRow + k]];
+  for (uint32_t j = 0; j < below.boundaryCount; ++j) {
+    const bool isPivot = rowOf[j] < front.pivotCount;
+    const uint32_t offset = isPivot ? 0 : front.pivotCount;
+    double* to = isPivot ? columns.col(rowOf[j]).data() : update.col(rowOf[j] - offset).data();
+    const double* add = from.col(j).data();
+    for (uint32_t i = j; i < below.boundaryCount; ++i) to[rowOf[i] - offset] += add[i];
+  }
+}
+
 void Factorisation::factoriseFront(uint32_t f, double shift, uint32_t* localRow, Job& job) {
   const Front& front = structure_->fronts[f];
-  assemble(front, shift, localRow);
-  Values columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
+  assemble(f, shift, localRow);
   Eigen::MatrixXd& update = updates_[f];
   update.resize(front.boundaryCount, front.boundaryCount);
   for (uint32_t j = 0; j < front.boundaryCount; ++j) update.col(j).tail(front.boundaryCount - j).setZero();
-  std::vector<uint32_t> rowOf;
-  for (uint32_t child : front.children) {
-    const Front& below = structure_->fronts[child];
-    Eigen::MatrixXd& from = updates_[child];
-    rowOf.resize(below.boundaryCount);
-    for (uint32_t k = 0; k < below.boundaryCount; ++k)
-      rowOf[k] = localRow[structure_->boundary[below.firstRow + k]];
-    for (uint32_t j = 0; j < below.boundaryCount; ++j) {
-      const bool isPivot = rowOf[j] < front.pivotCount;
-      const uint32_t offset = isPivot ? 0 : front.pivotCount;
-      double* to = isPivot ? columns.col(rowOf[j]).data() : update.col(rowOf[j] - offset).data();
-      const double* add = from.col(j).data();
-      for (uint32_t i = j; i < below.boundaryCount; ++i) to[rowOf[i] - offset] += add[i];
-    }
-    from.resize(0, 0);
+  for (const uint32_t child : front.children) {
+    addUpdate(child, f, localRow);
+    if (!isKept(child)) updates_[child].resize(0, 0);
   }
+  Values columns(values_.data() + firstValue_[f], front.rows(), front.pivotCount);
   partialLdlt(columns, diagonal_.segment(front.firstPivot, front.pivotCount), update, job);
+}
+
+double Factorisation::ownWork() const {
+  double sum = 0;
+  for (uint32_t f = 0; f < structure_->fronts.size(); ++f)
+    if (isOwn(f)) sum += structure_->fronts[f].work;
+  return sum;
 }
 
 void Factorisation::factorise(double shift, Job& job) {
   const uint32_t unknownCount = structure_->unknownCount;
-  values_.resize(static_cast<Eigen::Index>(structure_->valueCount));
-  diagonal_.resize(unknownCount);
+  values_.resize(static_cast<Eigen::Index>(valueCount_));
+  if (base_)
+    diagonal_ = base_->diagonal_;
+  else
+    diagonal_.resize(unknownCount);
   updates_.assign(structure_->fronts.size(), {});
-  Progress progress{job, structure_->work()};
+  Progress progress{job, ownWork()};
+  const auto factoriseOwn = [&](uint32_t f, uint32_t* localRow) {
+    if (!isOwn(f)) return;
+    factoriseFront(f, shift, localRow, job);
+    progress.add(structure_->fronts[f].work);
+  };
   const auto newLocalRows = [&] { return std::unique_ptr<uint32_t[]>(new uint32_t[unknownCount]); };
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
     const auto localRow = newLocalRows();
     for (size_t t = begin; t < end; ++t)
-      for (uint32_t f = structure_->tasks[t].firstFront; f <= structure_->tasks[t].root; ++f) {
-        factoriseFront(f, shift, localRow.get(), job);
-        progress.add(structure_->fronts[f].work);
-      }
+      for (uint32_t f = structure_->tasks[t].firstFront; f <= structure_->tasks[t].root; ++f)
+        factoriseOwn(f, localRow.get());
   });
   const auto localRow = newLocalRows();
-  for (uint32_t f : structure_->top) {
-    factoriseFront(f, shift, localRow.get(), job);
-    progress.add(structure_->fronts[f].work);
-  }
-  updates_.clear();
+  for (const uint32_t f : structure_->top) factoriseOwn(f, localRow.get());
+  if (isKept_.empty()) updates_.clear();
   if (!diagonal_.allFinite())
     throw std::runtime_error(
         "The matrix could not be factorised: look for coordinates or thicknesses of wildly "
@@ -138,8 +194,9 @@ void Factorisation::factorise(double shift, Job& job) {
 
 // Forward substitution: solves for the pivots of a front and subtracts their contribution from its boundary.
 template <class Rows>
-void Factorisation::forward(const Front& front, uint32_t scratch, Rows& y) const {
-  const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
+void Factorisation::forward(uint32_t f, uint32_t scratch, Rows& y) const {
+  const Front& front = structure_->fronts[f];
+  const ConstValues columns(valuesOf(f), front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
   solveLower(columns.topRows(front.pivotCount), part);
   if (front.boundaryCount == 0) return;
@@ -152,8 +209,9 @@ void Factorisation::forward(const Front& front, uint32_t scratch, Rows& y) const
 
 // Backward substitution: subtracts the contribution of the boundary and solves for the pivots.
 template <class Rows>
-void Factorisation::backward(const Front& front, uint32_t scratch, Rows& y) const {
-  const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
+void Factorisation::backward(uint32_t f, uint32_t scratch, Rows& y) const {
+  const Front& front = structure_->fronts[f];
+  const ConstValues columns(valuesOf(f), front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
   if (front.boundaryCount > 0) {
     auto below = y.middleRows(scratch, front.boundaryCount);
@@ -173,7 +231,7 @@ void Factorisation::solveRows(Rows& y, const Job& job) const {
       const Task& task = structure_->tasks[t];
       for (uint32_t f = task.firstFront; f <= task.root; ++f) {
         job.check();
-        forward(structure_->fronts[f], task.firstScratch, y);
+        forward(f, task.firstScratch, y);
       }
     }
   });
@@ -189,11 +247,10 @@ void Factorisation::solveRows(Rows& y, const Job& job) const {
     const uint32_t scratch = structure_->topScratch;
     for (uint32_t f : structure_->top) {
       job.check();
-      forward(structure_->fronts[f], scratch, part);
+      forward(f, scratch, part);
     }
     for (uint32_t p = 0; p < structure_->unknownCount; ++p) part.row(p) /= diagonal_[p];
-    for (auto f = structure_->top.rbegin(); f != structure_->top.rend(); ++f)
-      backward(structure_->fronts[*f], scratch, part);
+    for (auto f = structure_->top.rbegin(); f != structure_->top.rend(); ++f) backward(*f, scratch, part);
   });
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(slot) = y.row(position); });
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
@@ -201,7 +258,7 @@ void Factorisation::solveRows(Rows& y, const Job& job) const {
       const Task& task = structure_->tasks[t];
       for (uint32_t f = task.root + 1; f-- > task.firstFront;) {
         job.check();
-        backward(structure_->fronts[f], task.firstScratch, y);
+        backward(f, task.firstScratch, y);
       }
     }
   });
@@ -224,6 +281,11 @@ void Factorisation::solve(Eigen::MatrixXd& x, const Job& job) const {
 
 uint32_t Factorisation::negativePivots() const {
   return static_cast<uint32_t>((diagonal_.array() < 0).count());
+}
+
+Factorisation factorisationOf(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure,
+                              Job& job) {
+  return structure ? Factorisation(pencil, std::move(structure)) : Factorisation(pencil, job);
 }
 
 }  // namespace limber

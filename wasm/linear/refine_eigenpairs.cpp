@@ -15,6 +15,9 @@ constexpr int kBlocksOfRefinement = 4;  // of vectors that are allocated at the 
 constexpr int kBlocksOfLanczos = 6;     // of its basis, at most
 constexpr int kRandomColumns = 4;       // beside a start, to find what it lacks
 constexpr int kLeastBlocks = 3;         // that random columns need for that
+// A shared shift is at most this multiple of the own one, so that the first eigenvalue is far above the
+// threshold of zero ones.
+constexpr double kLargestSharedShift = 100;
 
 // A start for block Lanczos, over the heavy unknowns: orthonormal up to the quality of `start`.
 Eigen::MatrixXd withRandomColumns(const ShiftedPencil& pencil, const Eigen::MatrixXd& start) {
@@ -22,6 +25,26 @@ Eigen::MatrixXd withRandomColumns(const ShiftedPencil& pencil, const Eigen::Matr
   columns << pencil.restrict(start),
       randomColumns(pencil.heavyCount(), kRandomColumns).colwise().normalized();
   return columns;
+}
+
+bool takesBase(const RefineOptions& options) {
+  return options.sharing && options.sharing->base &&
+         options.sharing->shift >= kLargestSharedShift * options.shift;
+}
+
+bool providesBase(const RefineOptions& options) {
+  return options.sharing && !options.sharing->base && !options.sharing->unknowns.empty() &&
+         options.differing.empty();
+}
+
+std::shared_ptr<Factorisation> newFactorisation(const SparsePencil& pencil, const RefineOptions& options,
+                                                Job& job) {
+  if (takesBase(options))
+    return std::make_shared<Factorisation>(pencil, options.sharing->base, options.differing);
+  auto own = std::make_shared<Factorisation>(factorisationOf(pencil, options.structure, job));
+  if (providesBase(options))
+    for (const std::vector<uint32_t>& unknowns : options.sharing->unknowns) own->keepFor(unknowns);
+  return own;
 }
 
 // An estimate of the relative error of eigenvalues: the smaller of their last change and the square of the
@@ -64,7 +87,7 @@ EigenSearch refineFrom(ShiftedPencil& pencil, const Eigen::MatrixXd& start, cons
 
 EigenSolution solutionOf(const ShiftedPencil& pencil, const EigenSearch& search,
                          const RefineOptions& options) {
-  EigenSolution solution = collectPairs(search, zeroPairs(search, options.shift), options.pairCount);
+  EigenSolution solution = collectPairs(search, zeroPairs(search, pencil.shift()), options.pairCount);
   solution.factorNonzeros = pencil.factorNonzeros();
   for (Eigen::Index k = 0; options.residuals && k < solution.basis.lambda.size(); ++k)
     solution.residual.push_back(pencil.residual(solution.basis.lambda[k], solution.basis.phi.col(k)));
@@ -82,16 +105,24 @@ EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job) {
   if (options.spareCount < 1) return std::nullopt;  // the last pairs of a block converge slowest
-  ShiftedPencil shifted(pencil, options.structure, job);
+  ShiftedPencil shifted(pencil, newFactorisation(pencil, options, job), job);
   const Eigen::Index columns = start.cols() + kRandomColumns;
   const Eigen::Index mostVectors = std::min(kBlocksOfLanczos * columns, shifted.heavyCount());
-  if (shifted.memoryWith(static_cast<int>(mostVectors + kBlocksBesideBasis * columns)) > memoryLeft())
-    return std::nullopt;
-  shifted.shiftTo(options.shift);
+  const uint64_t memory = shifted.memoryWith(static_cast<int>(mostVectors + kBlocksBesideBasis * columns));
+  if (memory > memoryLeft()) {
+    if (!options.sharing || !options.sharing->base) return std::nullopt;
+    *options.sharing = {};
+    return refineLowestEigenpairs(pencil, start, options, job);
+  }
+  shifted.shiftTo(takesBase(options) ? options.sharing->shift : options.shift);
   job.begin(Phase::Solve);
   const BlockLanczosPairs pairs = blockLanczos(shifted, withRandomColumns(shifted, start),
                                                {start.cols(), start.cols() - options.spareCount,
                                                 std::sqrt(options.tolerance), mostVectors, kLeastBlocks});
+  if (providesBase(options) && memory < memoryLeft()) {
+    options.sharing->base = shifted.factorisation();
+    options.sharing->shift = shifted.shift();
+  }
   if (!pairs.hasConverged) return std::nullopt;
   return solutionOf(shifted, wholePairs(shifted, pairs), options);
 }

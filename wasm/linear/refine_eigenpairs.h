@@ -8,10 +8,20 @@
 
 #include "base/job.h"
 #include "linear/eigensolver.h"
+#include "linear/factorisation.h"
 
 namespace limber {
 
 // Finds the lowest eigenpairs of a pencil from approximations.
+
+// Lets pencils share parts of their factorisations that differ only in rows and columns of a few unknowns,
+// such as those of a body in several clampings. The first pencil provides them to all others, which take its
+// shift.
+struct FactorSharing {
+  std::vector<std::vector<uint32_t>> unknowns;          // for each of the others, those in which it differs
+  std::shared_ptr<const Factorisation> base = nullptr;  // null until the first one is factorised
+  double shift = 0;                                     // of the base
+};
 
 struct RefineOptions {
   double shift = -1;                   // sigma, < 0, of the size of the first positive eigenvalue
@@ -22,6 +32,8 @@ struct RefineOptions {
   bool residuals = true;               // whether EigenSolution::residual is computed
   std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
   std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
+  FactorSharing* sharing = nullptr;
+  std::vector<uint32_t> differing = {};  // unknowns in which this pencil differs from the one that provides
 };
 
 // Block inverse iteration with Rayleigh-Ritz from `start`, until the eigenvalues change by less than the
@@ -34,7 +46,8 @@ EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd
 // The same by block Lanczos, which takes fewer steps. Pseudo-random columns in addition to `start` find the
 // pairs that it lacks. Returns nothing if a pair that has to be exact has not converged, if there is no spare
 // pair, or if memory is short. Vectors are as accurate as their eigenvalues in the mass norm, but not in
-// energy: they keep more of the high-frequency error of `start`. `largestStepCount` and `admit` are not read.
+// energy: they keep more of the high-frequency error of `start`. `largestStepCount` and `admit` are not read;
+// `sharing` and `differing` are only read here. A factorisation is shared if memory for another one is left.
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job);
 

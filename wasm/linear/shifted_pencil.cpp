@@ -10,9 +10,12 @@ namespace limber {
 
 ShiftedPencil::ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure,
                              Job& job)
-    : pencil_(pencil),
-      factorisation_(structure ? Factorisation(pencil, std::move(structure)) : Factorisation(pencil, job)),
-      job_(job) {
+    : ShiftedPencil(
+          pencil, std::make_shared<Factorisation>(factorisationOf(pencil, std::move(structure), job)), job) {}
+
+ShiftedPencil::ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<Factorisation> factorisation,
+                             Job& job)
+    : pencil_(pencil), factorisation_(std::move(factorisation)), job_(job) {
   for (Eigen::Index i = 0; i < pencil.m.size(); ++i) {
     if (pencil.m[i] > 0)
       heavy_.push_back(i);
@@ -24,25 +27,25 @@ ShiftedPencil::ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<const F
 
 uint64_t ShiftedPencil::memoryWith(int vectorCount) const {
   const uint64_t vectors = sizeof(double) * pencil_.unknownCount() * static_cast<uint64_t>(vectorCount);
-  return factorisation_.structure().memory() + vectors;
+  return factorisation_->memory() + vectors;
 }
 
 void ShiftedPencil::shiftTo(double sigma) {
   job_.begin(Phase::Factorise);
-  factorisation_.factorise(sigma, job_);
+  factorisation_->factorise(sigma, job_);
   sigma_ = sigma;
 }
 
 uint32_t ShiftedPencil::countBelow(double lambda) {
   shiftTo(lambda);
-  return factorisation_.negativePivots();
+  return factorisation_->negativePivots();
 }
 
 template <class Columns>
 Columns ShiftedPencil::invertColumns(const Columns& x) const {
   Columns full = Columns::Zero(unknownCount(), x.cols());
   full(heavy_, Eigen::all) = rootMass_.asDiagonal() * x;
-  factorisation_.solve(full, job_);
+  factorisation_->solve(full, job_);
   return rootMass_.asDiagonal() * full(heavy_, Eigen::all);
 }
 
@@ -56,7 +59,7 @@ Eigen::MatrixXd ShiftedPencil::invert(const Eigen::MatrixXd& x) const {
 
 Eigen::MatrixXd ShiftedPencil::inverseStep(const Eigen::MatrixXd& phi) const {
   Eigen::MatrixXd x = pencil_.m.asDiagonal() * phi;
-  factorisation_.solve(x, job_);
+  factorisation_->solve(x, job_);
   return x;
 }
 
@@ -80,7 +83,7 @@ double ShiftedPencil::extendedResidual(double lambda, const Eigen::VectorXd& phi
   Eigen::VectorXd rest = limber::extendedResidual(pencil_, lambda, phi, low);
   double smallest = rest.norm();
   for (int step = 0; step < steps; ++step) {
-    factorisation_.solve(rest, job_);
+    factorisation_->solve(rest, job_);
     low -= rest;
     rest = limber::extendedResidual(pencil_, lambda, phi, low);
     if (rest.norm() >= smallest) break;

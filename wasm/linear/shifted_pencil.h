@@ -16,6 +16,7 @@ class ShiftedPencil {
  public:
   // Pencil and job must outlive the object. `structure`: as in EigenOptions.
   ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure, Job& job);
+  ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<Factorisation> factorisation, Job& job);
 
   // Factorises K - sigma M. Must be called before anything that solves. Throws Cancelled.
   void shiftTo(double sigma);
@@ -51,7 +52,8 @@ class ShiftedPencil {
   Eigen::Index unknownCount() const { return pencil_.m.size(); }
   // Peak bytes of a factorisation and `vectorCount` vectors of all unknowns.
   uint64_t memoryWith(int vectorCount) const;
-  uint64_t factorNonzeros() const { return factorisation_.structure().nonzeros(); }
+  uint64_t factorNonzeros() const { return factorisation_->structure().nonzeros(); }
+  std::shared_ptr<const Factorisation> factorisation() const { return factorisation_; }
   Job& job() const { return job_; }
 
  private:
@@ -59,7 +61,7 @@ class ShiftedPencil {
   Columns invertColumns(const Columns& x) const;
 
   const SparsePencil& pencil_;
-  Factorisation factorisation_;
+  std::shared_ptr<Factorisation> factorisation_;
   Job& job_;
   double sigma_ = 0;
   std::vector<Eigen::Index> heavy_;

@@ -181,12 +181,13 @@ ModeBasis SolverVibration::follow(std::span<const double> factors, const ModeBas
   return refineModes(pencil, startFor(pencil, start), refineOptionsFor(start, count), job).basis;
 }
 
-EigenSolution SolverVibration::solveFrom(const ModeBasis& start, std::span<const double> factors, int count,
-                                         Job& job) const {
-  const SparsePencil pencil = pencilOf(factors);
-  std::optional<EigenSolution> refined =
-      refineLowestEigenpairs(pencil, startFor(pencil, start), refineOptionsFor(start, count), job);
-  return refined ? *std::move(refined) : solve(factors, count, start.lambda[0], job);
+EigenSolution SolverVibration::solveFrom(const ModeBasis& start, const Refined& refined, Job& job) const {
+  const SparsePencil pencil = pencilOf(refined.factors);
+  RefineOptions options = refineOptionsFor(start, refined.count);
+  options.sharing = refined.sharing;
+  options.differing = clamped_;
+  std::optional<EigenSolution> found = refineLowestEigenpairs(pencil, startFor(pencil, start), options, job);
+  return found ? *std::move(found) : solve(refined.factors, refined.count, start.lambda[0], job);
 }
 
 double SolverVibration::roughFirstEigenvalue(Job& job) const {

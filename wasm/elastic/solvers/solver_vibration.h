@@ -38,7 +38,13 @@ class SolverVibration {
   // The same from `start`, more than `count` modes of a very similar body. They are refined, and those that
   // it lacks are found; if that does not converge, the search starts from scratch. Accurate for eigenvalues
   // and mass inner products.
-  EigenSolution solveFrom(const ModeBasis& start, std::span<const double> factors, int count, Job& job) const;
+  // With `sharing`, of this mesh in any clamping, unclamped first, factorisations are shared.
+  struct Refined {
+    std::span<const double> factors;
+    int count;
+    FactorSharing* sharing = nullptr;
+  };
+  EigenSolution solveFrom(const ModeBasis& start, const Refined& refined, Job& job) const;
   // Refines modes of nearly the same factors and masses, by inverse iteration; finds the modes that the start
   // approximates. `count` of them are exact; it returns as many as the start has.
   ModeBasis follow(std::span<const double> factors, const ModeBasis& start, int count, Job& job) const;
@@ -50,6 +56,7 @@ class SolverVibration {
   const SolverStiffness& stiffness() const { return setting_.stiffness; }
   const std::vector<double>& masses() const { return setting_.masses; }
   const std::vector<uint32_t>& pinned() const { return setting_.pinned; }
+  const std::vector<uint32_t>& clampedUnknowns() const { return clamped_; }
 
   // What a search from scratch has to know, with factors of 1.
   struct Estimate {

@@ -75,7 +75,7 @@ void PartModesPair::solveResult(double scale, Job& job) {
   if (isDefinite() && modes_.modeCount() == 0) status_ = FrequencyStatus::NoConvergence;
 }
 
-EigenSolution PartModesPair::originalModes(Job& job) const {
+EigenSolution PartModesPair::originalModes(FactorSharing& sharing, Job& job) const {
   const std::vector<double> factors = ones(pair_->original);
   if (pair_->original.mesh.vertexCount() <= kSearchedVertices)
     return original_.solve(factors, count_, firstEigenvalue(), job);
@@ -83,11 +83,12 @@ EigenSolution PartModesPair::originalModes(Job& job) const {
   const Eigen::Index count = std::min<Eigen::Index>(modes_.modeCount(), count_ + kSpareModes);
   const ModeBasis start{modes_.lambda.head(count),
                         transfer(modes_.phi.topLeftCorner(rows, count), pair_->result.mesh, pair_->points)};
-  return original_.solveFrom(start, factors, count_, job);
+  return original_.solveFrom(start, {factors, count_, &sharing}, job);
 }
 
-void PartModesPair::solveOriginal(Job& job) {
-  const EigenSolution solution = find(original_.rigidMotionCount(), [&] { return originalModes(job); });
+void PartModesPair::solveOriginal(FactorSharing& sharing, Job& job) {
+  const EigenSolution solution =
+      find(original_.rigidMotionCount(), [&] { return originalModes(sharing, job); });
   if (!isDefinite()) return;
   const ModeBasis& basis = solution.basis;
   const Eigen::Index count =
@@ -138,11 +139,12 @@ ClampedModes::ClampedModes(const std::deque<PartPair>& pairs, const Clamping& cl
   for (const PartPins& pins : clamping.parts) parts_.emplace_back(pairs[pins.pair], pins, masses, count);
 }
 
-void ClampedModes::solve(const std::vector<double>& scales, Job& job) {
+void ClampedModes::solve(std::vector<PartHints>& hints, Job& job) {
   for (PartModesPair& part : parts_) {
-    part.solveResult(part.pairIndex() < scales.size() ? scales[part.pairIndex()] : 0, job);
+    PartHints& known = hints[part.pairIndex()];
+    part.solveResult(known.firstEigenvalue, job);
     if (!part.isDefinite()) return;
-    part.solveOriginal(job);
+    part.solveOriginal(known.sharing, job);
     if (!part.isDefinite()) return;
   }
   for (size_t p = 0; p < parts_.size(); ++p)

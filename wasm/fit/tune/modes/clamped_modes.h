@@ -14,6 +14,12 @@ struct TuneMasses {
   std::span<const double> original, result;  // kg per vertex of the bodies
 };
 
+// What is known of a part from clampings that were solved before.
+struct PartHints {
+  double firstEigenvalue = 0;  // a rough estimate; 0: unknown
+  FactorSharing sharing;       // of the original in all clampings
+};
+
 // The modes of one part in one clamping: those of the original, and the matching ones of the result for any
 // factors.
 class PartModesPair {
@@ -24,7 +30,7 @@ class PartModesPair {
   // Finds the modes of the result with factors of 1, then those of the original, whose first eigenvalue is
   // close. Throws Cancelled, and std::runtime_error if memory is short.
   void solveResult(double scale, Job& job);
-  void solveOriginal(Job& job);
+  void solveOriginal(FactorSharing& sharing, Job& job);
   // Whether the modes of the result and of the original were found, and no motions but rigid ones are without
   // resistance; for the result with the factors of the last call.
   bool isDefinite() const { return status_ == FrequencyStatus::Found; }
@@ -48,9 +54,10 @@ class PartModesPair {
   double firstEigenvalue() const { return modes_.lambda[0]; }
   size_t pairIndex() const { return pairIndex_; }
   const PartPair& pair() const { return *pair_; }
+  const std::vector<uint32_t>& clampedUnknowns() const { return original_.clampedUnknowns(); }
 
  private:
-  EigenSolution originalModes(Job& job) const;
+  EigenSolution originalModes(FactorSharing& sharing, Job& job) const;
   // Sets the status from the result of `find` for this number of rigid motions.
   template <typename Find>
   EigenSolution find(int rigidMotions, const Find& find);
@@ -81,9 +88,9 @@ class ClampedModes {
                int count);
 
   ClampKind kind() const { return kind_; }
-  // Solves both bodies. `scales`: per part of the body a rough estimate of its first eigenvalue. Throws as
-  // PartModesPair; stops early if the energy of a solver leaves motions without resistance.
-  void solve(const std::vector<double>& scales, Job& job);
+  // Solves both bodies. `hints`: per part of the body. Throws as PartModesPair; stops early if the energy of
+  // a solver leaves motions without resistance.
+  void solve(std::vector<PartHints>& hints, Job& job);
   bool isDefinite() const { return status() == FrequencyStatus::Found; }
   // The status of the first part whose modes are not found, if there is one.
   FrequencyStatus status() const;

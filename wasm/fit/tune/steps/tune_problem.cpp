@@ -77,16 +77,19 @@ double followedError(ClampedModes modes, const std::vector<double>& factors, Job
 }  // namespace
 
 TuneProblem::TuneProblem(const TuneSetup& setup, Job& job) : factors_(setup.constraintCount, 1.0) {
-  std::vector<double> scales;  // empty for the free parts, which estimate it themselves
+  std::vector<PartHints> hints(setup.pairs.size());
   for (const Clamping& clamping : setup.clampings) {
-    ClampedModes& modes =
-        clampings_.emplace_back(setup.pairs, clamping, setup.masses, wantedModes(clamping.kind));
-    modes.solve(scales, job);
+    clampings_.emplace_back(setup.pairs, clamping, setup.masses, wantedModes(clamping.kind));
+    if (clamping.kind == ClampKind::Free) continue;
+    for (const PartModesPair& part : clampings_.back().parts())
+      hints[part.pairIndex()].sharing.unknowns.push_back(part.clampedUnknowns());
+  }
+  for (ClampedModes& modes : clampings_) {
+    modes.solve(hints, job);
     if (!modes.isDefinite()) return;
-    if (clamping.kind != ClampKind::Free) continue;
-    scales.resize(setup.pairs.size());
+    if (modes.kind() != ClampKind::Free) continue;
     for (const PartModesPair& part : modes.parts())
-      scales[part.pairIndex()] = kClampedOverFree * part.firstEigenvalue();
+      hints[part.pairIndex()].firstEigenvalue = kClampedOverFree * part.firstEigenvalue();
   }
 }
 
