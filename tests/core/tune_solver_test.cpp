@@ -363,6 +363,23 @@ TEST(TuneSolver, HandsOverWhatMovesBest) {
   EXPECT_EQ(other.bendFactor == 1, !isBetter);
 }
 
+// Beside a body that is as it was lies a sheet that has lost the waves which stiffened it.
+TEST(TuneSolver, WithdrawsFactorsThatWorsenFrequenciesOnAverageWhereNoMotionDecides) {
+  const auto beside = [](TriangleMesh sheet, double waves) {
+    for (Vec3& p : sheet.positions) p = {p.x + 2, p.y, waves * std::sin(12 * p.x)};
+    return shapes::together(body(), sheet);
+  };
+  const TriangleMesh original = beside(shapes::grid(24, 24, 1, 1), 0.06),
+                     result = beside(shapes::grid(8, 8, 1, 1), 0.001);
+  Job job;
+  const TuneOptions options = optionsFor(kModels[3].second, original, TuneKind::Global);
+  const Tuned tuned = tuneSolver(original, result, options, job);
+  EXPECT_EQ(tuned.kept, KeptParameters::Untouched);
+  EXPECT_EQ(tuned.bendFactor, 1);
+  EXPECT_EQ(tuned.stretchFactor, 1);
+  EXPECT_LT(tuned.frequencies.errorTuned, 0.01);  // of the body, which the factors would have moved
+}
+
 TEST(TuneSolver, TriesMorleysElementWithTwoFactorsAlone) {
   Job job;
   TuneOptions options = optionsFor(kModels[0].second, body(), TuneKind::Global);

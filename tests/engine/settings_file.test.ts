@@ -218,6 +218,18 @@ describe('settings in a report', () => {
     expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not tested');
   });
 
+  it('say that frequencies alone have kept the stiffness, where no motion has decided', () => {
+    const unmoved = tunedBody('springs', { kept: 'untouched', motion: null });
+    const report = solverReport([unmoved]).fidelity.solvers.springs!;
+    expect(report.kept).toBe('untouched');
+    expect(describeTuning('springs', report).slice(1)).toEqual([
+      "other stiffness would take the frequencies farther away on average, so the file keeps the original's and transfers its masses",
+      'the motion itself was not tested',
+    ]);
+    const moved = tunedBody('springs', { kept: 'untouched' });
+    expect(solverReport([moved]).fidelity.solvers.springs!).not.toHaveProperty('kept');
+  });
+
   it('name values that the engine does not accept, of all bodies the one farthest out of range', () => {
     const body = tunedBody('blender');
     const within = { ...body.original.values, tension: 9000 };

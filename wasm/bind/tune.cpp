@@ -58,8 +58,8 @@ struct Fields<Tuned> {
                  field("stretchFactors", &Tuned::stretchFactors), field("bendFactors", &Tuned::bendFactors),
                  field("masses", &Tuned::masses), field("stretchVertices", &Tuned::stretchVertices),
                  field("bendVertices", &Tuned::bendVertices), field("frequencies", &Tuned::frequencies),
-                 field("frequencyStatus", &Tuned::frequencyStatus), field("motion", &Tuned::motion),
-                 field("motionRefusal", &Tuned::motionRefusal));
+                 field("frequencyStatus", &Tuned::frequencyStatus), field("kept", &Tuned::kept),
+                 field("motion", &Tuned::motion), field("motionRefusal", &Tuned::motionRefusal));
 };
 
 namespace {

@@ -33,6 +33,7 @@ export function tunedBody(solver: SolverName, change: Partial<Tuned> = {}): Tune
     bendVertices: profile.bend === 'cross-springs' ? Uint32Array.of(0, 3) : Uint32Array.of(1, 2, 0, 3),
     frequencies: { errorUntouched: 40, errorTuned: 5, errorUnseen: 7, errorOtherPins: 8 },
     frequencyStatus: 'found',
+    kept: 'tuned',
     motionRefusal: '',
     motion: { scene: 'sway', untouched: 1.5, tuned: 0.4, noiseFloor: 0.01, kept: 'tuned' },
     ...change,

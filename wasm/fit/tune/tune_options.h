@@ -59,6 +59,7 @@ struct Tuned {
   std::vector<uint32_t> stretchVertices, bendVertices;  // of each constraint, one after the other
   TunedFrequencies frequencies;
   FrequencyStatus frequencyStatus = FrequencyStatus::Found;
+  KeptParameters kept = KeptParameters::Tuned;  // untouched: factors are 1, only masses are tuned
   std::optional<TunedMotion> motion;
   std::string motionRefusal;  // why there is no `motion` although requested, as a clause; else empty
 };

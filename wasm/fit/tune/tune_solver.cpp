@@ -16,6 +16,7 @@ namespace {
 
 // Progress after the stages of a run.
 constexpr double kPrepared = 0.05, kSolved = 0.5, kTuned = 0.8;
+constexpr double kRounding = 100 * kRoughTolerance;  // of errors of frequencies, in %
 
 bool hasBorder(const Topology& topology) {
   return std::ranges::any_of(topology.edges, [](const Topology::Edge& edge) { return edge.useCount == 1; });
@@ -74,7 +75,15 @@ Tuning untouchedOf(TuneKind kind, const TuneConstraints& constraints) {
 struct Attempt {
   Tuning tuning;
   TunedFrequencies frequencies;
+  double fittedError = 0;
 };
+
+// The attempt that a problem has been moved to. `untouched`: the error without anything tuned.
+Attempt attemptAt(const TuneProblem& problem, Tuning tuning, double untouched, Job& job) {
+  return {std::move(tuning),
+          {untouched, problem.freeError(), problem.unseenError(), problem.otherPinsError(job)},
+          problem.fittedError()};
+}
 
 // On an open mesh with global factors, stretching may be tuned as well if the trial favours it.
 std::vector<Attempt> attempts(TuneProblem& problem, TuneConstraints constraints, const TuneOptions& options,
@@ -84,8 +93,7 @@ std::vector<Attempt> attempts(TuneProblem& problem, TuneConstraints constraints,
   std::vector<Attempt> all;
   const auto attempt = [&] {
     Tuning tuning = tune(problem, constraints, options.tune, job);
-    all.push_back({std::move(tuning),
-                   {untouched, problem.freeError(), problem.unseenError(), problem.otherPinsError(job)}});
+    all.push_back(attemptAt(problem, std::move(tuning), untouched, job));
   };
   attempt();
   if (constraints.tunesStretch || !options.runsTrial || options.tune != TuneKind::Global) return all;
@@ -155,10 +163,18 @@ Tuned tuneSolver(const TriangleMesh& original, const TriangleMesh& result, const
     write({untouched, {}}, tuned);
     return tuned;
   }
+  const double withoutFactors = problem.fittedError();
   std::vector<Attempt> found = attempts(problem, constraints, options, job);
   whole.report(kTuned);
   Attempt best = chosen(std::move(found), {original, result, options, tuned.masses}, tuned, job);
-  if (tuned.motion && tuned.motion->kept == KeptParameters::Untouched) best.tuning = untouched;
+  if (tuned.motion) {
+    tuned.kept = tuned.motion->kept;
+    if (tuned.kept == KeptParameters::Untouched) best.tuning = untouched;
+  } else if (best.fittedError > withoutFactors + kRounding) {
+    tuned.kept = KeptParameters::Untouched;
+    problem.moveTo(untouched.all, job);
+    best = attemptAt(problem, untouched, best.frequencies.errorUntouched, job);
+  }
   write(std::move(best), tuned);
   return tuned;
 }

@@ -19,7 +19,9 @@ namespace limber {
 // in [0.1, 10].
 //
 // With `runsTrial` original and result then move through a short scene, see fit/tune/motion_trial.h, and
-// tuned factors are returned only if they do not worsen the motion by more than its noise floor.
+// tuned factors are returned only if they do not worsen the motion by more than its noise floor. Without a
+// motion they are returned only if they do not worsen the fitted frequencies: a fit of logarithms, which a
+// few modes that are far off dominate, can do so.
 //
 // Both meshes must be welded. Throws Cancelled; std::invalid_argument with a sentence if they do not belong
 // together, see fit/tune/tune_checks.h, or a constant is out of range; std::runtime_error if memory is short.

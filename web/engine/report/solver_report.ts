@@ -12,6 +12,8 @@ export interface SolverReport {
   frequencies: Partial<TunedFrequencies>;
   /** why there are no frequencies; absent where they were found */
   frequencyStatus?: MissingFrequencies;
+  /** present where frequencies alone have decided that the factors stay at 1, without a motion trial */
+  kept?: 'untouched';
   /** absent without a motion trial */
   motion?: TunedMotion;
   /** why there was no motion trial, as a clause */
@@ -54,7 +56,7 @@ export function solverReport(bodies: TunedBody[]): {
 } {
   const worst = worstTuned(bodies);
   const { solver, tuned } = worst;
-  const { frequencies, motion, motionRefusal } = tuned;
+  const { frequencies, kept, motion, motionRefusal } = tuned;
   const moved = { ...(motion && { motion }), ...(motionRefusal && { motionRefusal }) };
   const outside = outOfRange(bodies);
   const unsteady = blowsUp(bodies);
@@ -62,6 +64,7 @@ export function solverReport(bodies: TunedBody[]): {
   const report = {
     frequencies: knownErrors(frequencies),
     ...(missing && { frequencyStatus: missing }),
+    ...(!motion && kept === 'untouched' && { kept }),
     ...moved,
     ...(outside.length > 0 && { outOfRange: outside }),
     ...(unsteady && { blowsUp: unsteady }),
@@ -104,14 +107,23 @@ const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 
 /** Sentences without their full stops about the outcome of a tuning, for the terminal and the page. */
 export function describeTuning(
   solver: SolverName,
-  { frequencies, frequencyStatus, motion, motionRefusal, outOfRange = [], blowsUp }: SolverReport,
+  { frequencies, frequencyStatus, kept, motion, motionRefusal, outOfRange = [], blowsUp }: SolverReport,
 ): string[] {
   const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
   const moved = motion ? describeMotion(motion) : `the motion itself was not tested${why}`;
   const beyond = outOfRange.map((parameter) => describeOutOfRange(solver, parameter));
   const errors = describeFrequencies(solver, frequencies, frequencyStatus);
-  return [errors, moved, ...beyond, ...(blowsUp ? [describeBlowsUp(solver, blowsUp)] : [])];
+  return [
+    errors,
+    ...(kept ? [WITHDRAWN] : []),
+    moved,
+    ...beyond,
+    ...(blowsUp ? [describeBlowsUp(solver, blowsUp)] : []),
+  ];
 }
+
+const WITHDRAWN =
+  "other stiffness would take the frequencies farther away on average, so the file keeps the original's and transfers its masses";
 
 const MISSING: Record<MissingFrequencies, string> = {
   noResistance: 'this shape bends without resistance',

@@ -48,7 +48,7 @@ export interface TuneOptions {
  */
 export type FrequencyStatus = 'found' | 'noResistance' | 'noConvergence';
 
-/** Errors with the tuned parameters, whether these are kept or not; NaN where the body has no such modes, like a flat sheet of springs. */
+/** Errors with the tuned parameters, whether a motion trial keeps these or not; NaN where the body has no such modes, like a flat sheet of springs. */
 export interface TunedFrequencies {
   /** mean relative errors (%) of modes 1 to 10, free */
   errorUntouched: number;
@@ -87,6 +87,8 @@ export interface Tuned {
   bendVertices: Uint32Array;
   frequencies: TunedFrequencies;
   frequencyStatus: FrequencyStatus;
+  /** untouched: the factors are 1, and only masses are tuned */
+  kept: 'tuned' | 'untouched';
   /** null where `runsTrial` is false */
   motion: TunedMotion | null;
   /** why `motion` is null although a trial was requested, as a clause; otherwise empty */
