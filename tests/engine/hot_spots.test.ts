@@ -37,11 +37,11 @@ describe('hot spots', () => {
     const pair = (first: number, second: number, common: number) => ({ first, second, common });
     expect(describeHotSpots([])).toBe('');
     expect(describeHotSpots([pair(1, 3, 0.04)])).toBe(
-      'Modes 1 and 3 strain different places (4 % in common): both are kept.',
+      'Modes 1 and 3 strain different places (4 % in common): faces stay at both.',
     );
     expect(describeHotSpots([pair(1, 3, 0), pair(1, 2, 0.1)])).toBe(
-      'Modes 1 and 3 strain different places (0 % in common): so does 1 more pair, and all are kept.',
+      'Modes 1 and 3 strain different places (0 % in common): 1 other pair does, too, and faces stay at all of them.',
     );
-    expect(describeHotSpots([pair(1, 3, 0), pair(1, 2, 0.1), pair(2, 3, 0.1)])).toContain('2 more pairs');
+    expect(describeHotSpots([pair(1, 3, 0), pair(1, 2, 0.1), pair(2, 3, 0.1)])).toContain('2 other pairs do');
   });
 });

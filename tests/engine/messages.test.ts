@@ -193,8 +193,8 @@ test('a sentence of the engine is recognised by its form', () => {
   shown.value = { language: 'ja', table: JAPANESE };
   expect(sentence('12 seam vertices welded')).toBe('シームの頂点 12 個を結合');
   expect(sentence('It cannot be removed: a face would flip.')).toBe('取り除けません: 面が裏返ります。');
-  expect(sentence('Modes 1 and 2 strain different places (7 % in common): both are kept.')).toBe(
-    'モード 1 と 2 は異なる場所をひずませます (共通 7 %)。両方の場所を残します。',
+  expect(sentence('Modes 1 and 2 strain different places (7 % in common): faces stay at both.')).toBe(
+    'モード 1 と 2 は異なる場所をひずませます (共通 7 %)。両方の場所に面を残します。',
   );
   expect(sentence('Nothing is known of this.')).toBe('Nothing is known of this.');
   expect(sentence('convert it to GLB')).toBe('convert it to GLB');

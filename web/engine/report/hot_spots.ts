@@ -64,7 +64,7 @@ export function differentPairs(shared: Float32Array, modesPerComponent: number, 
 export function describeHotSpots(pairs: ModePair[]): string {
   if (pairs.length === 0) return '';
   const [{ first, second, common }, ...others] = pairs;
-  const more = others.length === 1 ? 'so does 1 more pair' : `so do ${others.length} more pairs`;
-  const end = others.length === 0 ? 'both are kept' : `${more}, and all are kept`;
+  const more = others.length === 1 ? '1 other pair does' : `${others.length} other pairs do`;
+  const end = others.length === 0 ? 'faces stay at both' : `${more}, too, and faces stay at all of them`;
   return `Modes ${first} and ${second} strain different places (${Math.floor(100 * common)} % in common): ${end}.`;
 }

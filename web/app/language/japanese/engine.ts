@@ -42,9 +42,10 @@ export const ENGINE: MessageTable = {
   // web/engine/report/hot_spots.ts
   'Modes {first} and {second} strain different places ({common} % in common): {end}.':
     'モード {first} と {second} は異なる場所をひずませます (共通 {common} %)。{end}。',
-  'both are kept': '両方の場所を残します',
-  'so does 1 more pair, and all are kept': 'ほかに 1 組あり、すべて残します',
-  'so do {count} more pairs, and all are kept': 'ほかに {count} 組あり、すべて残します',
+  'faces stay at both': '両方の場所に面を残します',
+  '1 other pair does, too, and faces stay at all of them': 'ほかに 1 組あり、そのすべてに面を残します',
+  '{count} other pairs do, too, and faces stay at all of them':
+    'ほかに {count} 組あり、そのすべてに面を残します',
   // web/engine/report/stop_report.ts
   'no edge is left that could collapse': '縮約できる辺が残っていません',
   'of the remaining edges {share} would change the topology': '残りの辺のうち {share} はトポロジーが変わる',
