@@ -223,7 +223,7 @@ describe('settings in a report', () => {
     const report = solverReport([unmoved]).fidelity.solvers.springs!;
     expect(report.kept).toBe('untouched');
     expect(describeTuning('springs', report).slice(1)).toEqual([
-      "other stiffness would take the frequencies farther away on average, so the file keeps the original's and transfers its masses",
+      "a tuned stiffness would take the frequencies farther away on average, so the file keeps the original's and transfers its masses",
       'the motion itself was not tested',
     ]);
     const moved = tunedBody('springs', { kept: 'untouched' });

@@ -123,7 +123,7 @@ export function describeTuning(
 }
 
 const WITHDRAWN =
-  "other stiffness would take the frequencies farther away on average, so the file keeps the original's and transfers its masses";
+  "a tuned stiffness would take the frequencies farther away on average, so the file keeps the original's and transfers its masses";
 
 const MISSING: Record<MissingFrequencies, string> = {
   noResistance: 'this shape bends without resistance',

@@ -85,7 +85,7 @@ export const ENGINE: MessageTable = {
     '{solver} では面積のない三角形があるためこの形のモードが求まらず、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
   'In {solver} the modes of this shape do not converge, so there are no frequencies to tune: only masses are tuned, and the factors stay at 1.':
     '{solver} ではこの形のモードの計算が収束しないため、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
-  "Other stiffness would take the frequencies farther away on average, so the file keeps the original's and transfers its masses.":
+  "A tuned stiffness would take the frequencies farther away on average, so the file keeps the original's and transfers its masses.":
     '剛性を変えると周波数は平均してさらに離れるため、ファイルは元の剛性を保ち、質量だけを移します。',
   '{solver} can blow up with a {name} of {value}: keep it below {max}, which is half of mass times quality.':
     '{solver} は {name} が {value} だと発散することがあります。{max} (mass × quality の半分) より小さくしてください。',
