@@ -65,8 +65,8 @@ void partialLdlt(Columns columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd
     forEachStripe(below, work, [&](Eigen::Index first, Eigen::Index count) {
       auto rows = panel.middleRows(first, count);
       solveLower(diagonal, rows.transpose());
-      const Eigen::Index pivotRows = std::clamp<Eigen::Index>(left - first, 0, count);
-      scaled.middleCols(first, pivotRows) = rows.topRows(pivotRows).transpose();
+      const Eigen::Index pivotRows = std::min(left - first, count);
+      if (pivotRows > 0) scaled.middleCols(first, pivotRows) = rows.topRows(pivotRows).transpose();
       rows *= inverse.asDiagonal();
     });
     forEachStripe(left, work, [&](Eigen::Index first, Eigen::Index count) {
