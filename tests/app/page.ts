@@ -30,6 +30,13 @@ export async function drop(page: Page, ...files: string[]): Promise<void> {
     await client.send('Input.dispatchDragEvent', { type, x: 640, y: 300, data });
 }
 
+/** The errors that no code of the page catches; collected from now on. */
+export function uncaughtErrors(page: Page): string[] {
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  return errors;
+}
+
 export const goTo = (page: Page, step: 'Model' | 'Motion' | 'Reduce' | 'Test') =>
   page.getByRole('navigation', { name: 'Steps' }).getByRole('button', { name: step }).click();
 

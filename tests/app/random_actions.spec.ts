@@ -6,7 +6,7 @@
 import { expect, test } from '@playwright/test';
 import type { CDPSession, Page } from '@playwright/test';
 import { sheetObj } from './meshes';
-import { drop, goTo, openPage, readout, writeScratch } from './page';
+import { drop, goTo, openPage, readout, uncaughtErrors, writeScratch } from './page';
 import { ACTIONS, seeded, takeAction } from './random_actions';
 
 const COUNT = Number(process.env.LIMBER_ACTIONS ?? 60);
@@ -31,8 +31,7 @@ async function heapSize(page: Page, client: CDPSession): Promise<number> {
 
 test('random actions lead to no error, and to no growth of the heap', { tag: '@full' }, async ({ page }) => {
   test.setTimeout(60_000 + 2500 * COUNT);
-  const errors: string[] = [];
-  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  const errors = uncaughtErrors(page);
   page.on('console', (message) => {
     if (message.type() === 'error') errors.push(message.text());
   });

@@ -3,7 +3,7 @@ import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
 import { sheetObj } from './meshes';
 import { stillCapture, strongPixels } from './pictures';
-import { drop, goTo, openPage, saveGlb, writeScratch } from './page';
+import { drop, goTo, openPage, saveGlb, uncaughtErrors, writeScratch } from './page';
 import { standingTubes } from './scenes';
 
 test.beforeEach(async ({ page }) => {
@@ -119,8 +119,7 @@ test('the View menu is closed by Escape, by a click elsewhere and by another ste
 });
 
 test('a key that is pressed while the step changes finds no menu that is gone', async ({ page }) => {
-  const errors: string[] = [];
-  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  const errors = uncaughtErrors(page);
   await page.evaluate(async () => {
     const motion = [...document.querySelectorAll<HTMLElement>('.steps button')].find((button) =>
       button.textContent!.includes('Motion'),

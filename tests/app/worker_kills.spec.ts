@@ -6,7 +6,7 @@
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
 import { sheetObj } from './meshes';
-import { drop, goTo, keepFaces, keptFaces, openPage, readout, writeScratch } from './page';
+import { drop, goTo, keepFaces, keptFaces, openPage, readout, uncaughtErrors, writeScratch } from './page';
 import { seeded } from './random_actions';
 import { followWorkers, killWorker, settle } from './workers';
 
@@ -49,8 +49,7 @@ async function deviationAt(page: Page, evenness: string): Promise<string> {
 
 test('a worker that ends at random moments loses nothing', async ({ page }) => {
   test.setTimeout(60_000 + 30_000 * KILLS);
-  const errors: string[] = [];
-  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  const errors = uncaughtErrors(page);
   page.on('crash', () => errors.push('the page has crashed'));
   await followWorkers(page);
   await openPage(page);
