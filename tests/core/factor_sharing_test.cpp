@@ -105,58 +105,71 @@ TEST(FactorSharing, GivesTheSameBitsAsAFactorisationOfItsOwn) {
   });
 }
 
+// The sharing of a body in these clampings, whose base is the free body with these modes.
+FactorSharing sharingOf(const Body& body, const std::vector<std::vector<uint32_t>>& clampings,
+                        const ModeBasis& free, Job& job) {
+  FactorSharing sharing;
+  for (const auto& pins : clampings) sharing.unknowns.push_back(body.stiffness.clampedUnknowns(pins));
+  body.vibration({}).solveFrom(free, {body.ones(), 12, &sharing}, job);
+  return sharing;
+}
+
+struct Clamped {
+  std::vector<uint32_t> pins;
+  ModeBasis modes;  // from scratch
+};
+
+// Compares 12 modes from a search that may share with those from scratch.
+void expectModesOf(const Body& body, const Clamped& clamped, FactorSharing& sharing, Job& job) {
+  const ModeBasis found =
+      body.vibration(clamped.pins).solveFrom(clamped.modes, {body.ones(), 12, &sharing}, job).basis;
+  for (Eigen::Index k = 0; k < 12; ++k)
+    EXPECT_NEAR(found.lambda[k] / clamped.modes.lambda[k], 1, kRoughTolerance) << k;
+}
+
 TEST(FactorSharing, LeavesTheModesOfClampedBodiesAsTheyAre) {
   Job job;
   forEveryModel(job, [&](const Body& body) {
-    FactorSharing sharing;
-    for (const auto& pins : body.pins) sharing.unknowns.push_back(body.stiffness.clampedUnknowns(pins));
     const ModeBasis free = modesOf(body, {}, 0, job);
-    body.vibration({}).solveFrom(free, {body.ones(), 12, &sharing}, job);
+    FactorSharing sharing = sharingOf(body, body.pins, free, job);
     ASSERT_TRUE(sharing.base);
     const double shift = sharing.shift;
-    for (const auto& pins : body.pins) {
-      const ModeBasis expected = modesOf(body, pins, free.lambda[0], job);
-      const ModeBasis found =
-          body.vibration(pins).solveFrom(expected, {body.ones(), 12, &sharing}, job).basis;
-      for (Eigen::Index k = 0; k < 12; ++k)
-        EXPECT_NEAR(found.lambda[k] / expected.lambda[k], 1, kRoughTolerance) << k;
-    }
+    for (const auto& pins : body.pins)
+      expectModesOf(body, {pins, modesOf(body, pins, free.lambda[0], job)}, sharing, job);
     EXPECT_EQ(sharing.shift, shift);
   });
 }
 
+// A body, its modes in its first clamping, and the sharing with the free body.
+struct ClampedBody {
+  Body body;
+  Clamped clamped;
+  FactorSharing sharing;
+
+  explicit ClampedBody(Job& job) : body(kModels[0].second, job) {
+    const ModeBasis free = modesOf(body, {}, 0, job);
+    clamped = {body.pins[0], modesOf(body, body.pins[0], free.lambda[0], job)};
+    sharing = sharingOf(body, {body.pins[0]}, free, job);
+  }
+};
+
 TEST(FactorSharing, IsGivenUpWhereMemoryIsShort) {
   Job job;
-  const Body body(kModels[0].second, job);
-  FactorSharing sharing;
-  sharing.unknowns.push_back(body.stiffness.clampedUnknowns(body.pins[0]));
-  const ModeBasis free = modesOf(body, {}, 0, job),
-                  clamped = modesOf(body, body.pins[0], free.lambda[0], job);
-  body.vibration({}).solveFrom(free, {body.ones(), 12, &sharing}, job);
-  ASSERT_TRUE(sharing.base);
-  const uint64_t vector = static_cast<uint64_t>(body.stiffness.unknownCount()) * sizeof(double);
-  setMemoryLimit(body.structure->memory() + 180 * vector);
-  const ModeBasis found =
-      body.vibration(body.pins[0]).solveFrom(clamped, {body.ones(), 12, &sharing}, job).basis;
+  ClampedBody one(job);
+  ASSERT_TRUE(one.sharing.base);
+  const uint64_t vector = static_cast<uint64_t>(one.body.stiffness.unknownCount()) * sizeof(double);
+  setMemoryLimit(one.body.structure->memory() + 180 * vector);
+  expectModesOf(one.body, one.clamped, one.sharing, job);
   setMemoryLimit(0);
-  EXPECT_FALSE(sharing.base);
-  for (Eigen::Index k = 0; k < 12; ++k)
-    EXPECT_NEAR(found.lambda[k] / clamped.lambda[k], 1, kRoughTolerance) << k;
+  EXPECT_FALSE(one.sharing.base);
 }
 
 TEST(FactorSharing, IsNotUsedForAFarSofterBody) {
   Job job;
-  const Body body(kModels[0].second, job);
-  FactorSharing sharing;
-  sharing.unknowns.push_back(body.stiffness.clampedUnknowns(body.pins[0]));
-  const ModeBasis free = modesOf(body, {}, 0, job),
-                  clamped = modesOf(body, body.pins[0], free.lambda[0], job);
-  body.vibration({}).solveFrom(free, {body.ones(), 12, &sharing}, job);
-  sharing.shift = -1e6 * clamped.lambda[0];  // at which the base was not factorised: its use would be wrong
-  const ModeBasis found =
-      body.vibration(body.pins[0]).solveFrom(clamped, {body.ones(), 12, &sharing}, job).basis;
-  for (Eigen::Index k = 0; k < 12; ++k)
-    EXPECT_NEAR(found.lambda[k] / clamped.lambda[k], 1, kRoughTolerance) << k;
+  ClampedBody one(job);
+  // The base was not factorised at this shift: its use would be wrong.
+  one.sharing.shift = -1e6 * one.clamped.modes.lambda[0];
+  expectModesOf(one.body, one.clamped, one.sharing, job);
 }
 
 }  // namespace

@@ -80,7 +80,9 @@ void Factorisation::assignOffsets() {
   firstValue_.resize(structure_->fronts.size());
   for (uint32_t f = 0; f < firstValue_.size(); ++f) {
     firstValue_[f] = static_cast<size_t>(valueCount_);
-    if (isOwn(f)) valueCount_ += structure_->fronts[f].valueCount();
+    if (!isOwn(f)) continue;
+    valueCount_ += structure_->fronts[f].valueCount();
+    work_ += structure_->fronts[f].work;
   }
 }
 
@@ -93,11 +95,12 @@ void Factorisation::keepFor(const std::vector<uint32_t>& unknowns) {
 }
 
 uint64_t Factorisation::memory() const {
-  uint64_t kept = 0;
+  uint64_t kept = 0;  // entries of updates
   for (uint32_t f = 0; f < isKept_.size(); ++f)
     if (isKept_[f])
       kept += uint64_t{structure_->fronts[f].boundaryCount} * structure_->fronts[f].boundaryCount;
-  return structure_->memory() - sizeof(double) * (structure_->valueCount - valueCount_ - kept);
+  const uint64_t shared = structure_->valueCount - valueCount_;
+  return structure_->memory() - sizeof(double) * shared + sizeof(double) * kept;
 }
 
 const double* Factorisation::valuesOf(uint32_t f) const {
@@ -155,13 +158,6 @@ void Factorisation::factoriseFront(uint32_t f, double shift, uint32_t* localRow,
   partialLdlt(columns, diagonal_.segment(front.firstPivot, front.pivotCount), update, job);
 }
 
-double Factorisation::ownWork() const {
-  double sum = 0;
-  for (uint32_t f = 0; f < structure_->fronts.size(); ++f)
-    if (isOwn(f)) sum += structure_->fronts[f].work;
-  return sum;
-}
-
 void Factorisation::factorise(double shift, Job& job) {
   const uint32_t unknownCount = structure_->unknownCount;
   values_.resize(static_cast<Eigen::Index>(valueCount_));
@@ -170,7 +166,7 @@ void Factorisation::factorise(double shift, Job& job) {
   else
     diagonal_.resize(unknownCount);
   updates_.assign(structure_->fronts.size(), {});
-  Progress progress{job, ownWork()};
+  Progress progress{job, work_};
   const auto factoriseOwn = [&](uint32_t f, uint32_t* localRow) {
     if (!isOwn(f)) return;
     factoriseFront(f, shift, localRow, job);
@@ -283,9 +279,10 @@ uint32_t Factorisation::negativePivots() const {
   return static_cast<uint32_t>((diagonal_.array() < 0).count());
 }
 
-Factorisation factorisationOf(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure,
-                              Job& job) {
-  return structure ? Factorisation(pencil, std::move(structure)) : Factorisation(pencil, job);
+std::shared_ptr<Factorisation> factorisationOf(const SparsePencil& pencil,
+                                               std::shared_ptr<const FactorStructure> structure, Job& job) {
+  return structure ? std::make_shared<Factorisation>(pencil, std::move(structure))
+                   : std::make_shared<Factorisation>(pencil, job);
 }
 
 }  // namespace limber

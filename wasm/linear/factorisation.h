@@ -68,8 +68,8 @@ class Factorisation {
   using Task = FactorStructure::Task;
   struct Progress;
 
+  // Assigns the own fronts their parts of values_, and adds up their size and work.
   void assignOffsets();
-  double ownWork() const;
   bool isOwn(uint32_t f) const { return isTouched_.empty() || isTouched_[f]; }
   bool isKept(uint32_t f) const { return !isKept_.empty() && isKept_[f]; }
   // The columns of L of a front, rows() x pivotCount.
@@ -92,12 +92,13 @@ class Factorisation {
   std::vector<bool> isKept_;                   // fronts whose updates are kept; may be empty
   std::vector<size_t> firstValue_;             // by front, of own ones
   uint64_t valueCount_ = 0;                    // doubles that the columns of own fronts take
+  double work_ = 0;                            // multiplications of own fronts
   Eigen::VectorXd values_, diagonal_;          // L without its unit diagonal, by own front; D, by position
   std::vector<Eigen::MatrixXd> updates_;  // lower triangles, of fronts whose parents have not yet added them
 };
 
 // With this structure, or with one that is found if it is null. Throws Cancelled.
-Factorisation factorisationOf(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure,
-                              Job& job);
+std::shared_ptr<Factorisation> factorisationOf(const SparsePencil& pencil,
+                                               std::shared_ptr<const FactorStructure> structure, Job& job);
 
 }  // namespace limber

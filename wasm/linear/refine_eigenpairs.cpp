@@ -41,7 +41,7 @@ std::shared_ptr<Factorisation> newFactorisation(const SparsePencil& pencil, cons
                                                 Job& job) {
   if (takesBase(options))
     return std::make_shared<Factorisation>(pencil, options.sharing->base, options.differing);
-  auto own = std::make_shared<Factorisation>(factorisationOf(pencil, options.structure, job));
+  std::shared_ptr<Factorisation> own = factorisationOf(pencil, options.structure, job);
   if (providesBase(options))
     for (const std::vector<uint32_t>& unknowns : options.sharing->unknowns) own->keepFor(unknowns);
   return own;

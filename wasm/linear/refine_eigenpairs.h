@@ -33,7 +33,8 @@ struct RefineOptions {
   std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
   std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
   FactorSharing* sharing = nullptr;
-  std::vector<uint32_t> differing = {};  // unknowns in which this pencil differs from the one that provides
+  std::vector<uint32_t> differing =
+      {};  // unknowns in whose rows and columns this pencil differs from the base
 };
 
 // Block inverse iteration with Rayleigh-Ritz from `start`, until the eigenvalues change by less than the

@@ -10,8 +10,7 @@ namespace limber {
 
 ShiftedPencil::ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure,
                              Job& job)
-    : ShiftedPencil(
-          pencil, std::make_shared<Factorisation>(factorisationOf(pencil, std::move(structure), job)), job) {}
+    : ShiftedPencil(pencil, factorisationOf(pencil, std::move(structure), job), job) {}
 
 ShiftedPencil::ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<Factorisation> factorisation,
                              Job& job)

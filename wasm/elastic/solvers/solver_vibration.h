@@ -35,15 +35,14 @@ class SolverVibration {
   // eigenvalue, > 0. EigenSolution::nullity exceeds `rigidMotionCount` if the solver's energy leaves other
   // motions without resistance.
   EigenSolution solve(std::span<const double> factors, int count, double scale, Job& job) const;
-  // The same from `start`, more than `count` modes of a very similar body. They are refined, and those that
-  // it lacks are found; if that does not converge, the search starts from scratch. Accurate for eigenvalues
-  // and mass inner products.
-  // With `sharing`, of this mesh in any clamping, unclamped first, factorisations are shared.
   struct Refined {
     std::span<const double> factors;
     int count;
-    FactorSharing* sharing = nullptr;
+    FactorSharing* sharing = nullptr;  // of this mesh in all clampings; the free body has to be solved first
   };
+  // The same from `start`, more than `count` modes of a very similar body. They are refined, and those that
+  // it lacks are found; if that does not converge, the search starts from scratch. Accurate for eigenvalues
+  // and mass inner products.
   EigenSolution solveFrom(const ModeBasis& start, const Refined& refined, Job& job) const;
   // Refines modes of nearly the same factors and masses, by inverse iteration; finds the modes that the start
   // approximates. `count` of them are exact; it returns as many as the start has.
