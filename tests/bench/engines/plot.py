@@ -1,5 +1,5 @@
-"""The geometric means of the tables in docs/motions.md as a picture: for each engine a line per tool, from its untouched mesh
-to the tuned one.
+"""The geometric means of the tables of docs/motions.md, from record.json, as a picture: for each engine a line per tool, from
+its untouched mesh to the tuned one.
 
 Usage: python tests/bench/engines/plot.py OUT.svg
 """
@@ -8,8 +8,9 @@ import sys
 
 import numpy as np
 
-from simplifiers import OURS, ROOT
-from tables import means_in
+from record import Record
+from simplifiers import OURS
+from tables import cells_of, complete_cells, means, methods_of
 
 WIDTH, LEFT, RIGHT = 760, 210, 30
 ROW, HEAD, GAP, AXIS = 20, 26, 12, 34
@@ -21,13 +22,19 @@ def text(x, y, words, anchor="start", style=""):
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {style}>{words}</text>'
 
 
-def svg(found):
-    """`found`: as of `means_in`."""
-    values = [value for _, _, rows, _ in found for _, *pair in rows for value in pair]
+def rows_of(cells):
+    """[(method, untouched, tuned)]"""
+    found = means(cells)
+    return [(method, found[method, "untouched"], found[method, "tuned"]) for method in methods_of(cells)]
+
+
+def svg(record):
+    found = [(title, len(complete_cells(cells)), rows_of(cells)) for title, cells in cells_of(record.motions).items()]
+    values = [value for _, _, rows in found for _, *pair in rows for value in pair]
     low, high = np.log10(min(values)) - 0.08, np.log10(max(values)) + 0.08
     at = lambda value: LEFT + (np.log10(value) - low) / (high - low) * (WIDTH - LEFT - RIGHT)
     parts, y = [], 8
-    for title, count, rows, _ in found:
+    for title, count, rows in found:
         parts.append(text(8, y + 16, f"{title} (mean of {count})", style='font-weight="600"'))
         y += HEAD
         for method, before, after in rows:
@@ -50,4 +57,4 @@ def svg(found):
 
 if __name__ == "__main__":
     with open(sys.argv[1], "w", encoding="utf-8") as file:
-        file.write(svg(means_in((ROOT / "docs" / "motions.md").read_text(encoding="utf-8"))))
+        file.write(svg(Record.load()))

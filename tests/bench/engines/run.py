@@ -1,12 +1,13 @@
 """How far coarse meshes move from their original in the engines themselves.
 
-Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spot,bowl] [--methods limber,...]
-       [--starts 1] [--seconds 100] [--frequencies] [--tables] [--write]
+Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spot,bowl] [--methods limber;pymeshlab]
+       [--scenes sway,hang] [--starts 1,2] [--floors] [--seconds 100] [--frequencies] [--tables] [--write]
 Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/motions.md says how to install them), `npm run
 build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
-that a run that was stopped, also by --seconds, goes on where it was. --frequencies tunes alone, --tables only prints
-what is there, --write puts it into docs/motions.md, where tables stay of which nothing is there, and sums it up in
-docs/engines.md.
+that a run that was stopped, also by --seconds, goes on where it was. --starts: which ones, counted from 1; all without it.
+--floors measures noise instead: the first of these starts, renumbered and with half the step. --frequencies tunes alone,
+--tables only prints what is there. --write adds it to record.json and makes the tables of docs/motions.md and
+docs/engines.md from what was ever recorded.
 """
 
 import argparse
@@ -24,14 +25,14 @@ import product
 import scenes
 from meshes import carried_pins, closest_points, renumbered
 from models import frequency_error
+from record import Record
 from simplifiers import METHODS, ROOT, mesh_file, simplified
-from tables import BEGIN, END, merged, summary, tables
+from tables import FLOORS, summary, tables
 
 CACHE = ROOT / "build" / "bench" / "engines"
 SHARED = Path(os.environ.get("LIMBER_SHARED", ROOT.parent / "shared")) / "meshes"
 ENGINES = ("mujoco", "newton", "blender", "jolt")
 MODES = 10
-FLOORS = ("renumbered", "half the step")
 DOCUMENT, SUMMARY = ROOT / "docs" / "motions.md", ROOT / "docs" / "engines.md"
 
 
@@ -193,22 +194,27 @@ def cases(engines, options):
                 yield f"{name}|{entry['name']}", Case(engine, entry)
 
 
-def cells_of(store, case, start, key):
-    """(scene, start, the original's paths) of all scenes of the case; Blender's own wind is no force by area."""
+def cells_of(store, case, start, key, options):
+    """(scene, start, the original's paths) of the scenes of the case; Blender's own wind is no force by area."""
     for scene, about in scenes.definition["scenes"].items():
+        if options.scenes and scene not in options.scenes:
+            continue
         if about["kind"] == case.entry["kind"] and (case.engine.NAME != "blender" or scene == "hang"):
             path_key = f"{key}|{scene}|{start}|original"
             yield scene, start, store.paths(path_key, lambda: case.paths(scene, start))
 
 
 def run(store, engines, options):
-    for start in range(options.starts):
+    for start in options.starts:
         for key, case in cases(engines, options):
-            cells = list(cells_of(store, case, start, key))
-            for method in options.methods:
+            cells = list(cells_of(store, case, start, key, options))
+            for method in options.methods if cells else ():
                 run_result(store, case, method, cells, key)
+
+
+def run_floors(store, engines, options):
     for key, case in cases(engines, options):
-        for scene, start, reference in cells_of(store, case, 0, key):
+        for scene, start, reference in cells_of(store, case, options.starts[0], key, options):
             floors(store, case, scene, start, reference, f"{key}|{scene}|{start}")
 
 
@@ -218,17 +224,24 @@ def run_tunings(store, engines, options):
             tuning_of(store, case, coarse_of(case, method), method)
 
 
-def put_between(file, begin, end, make):
-    """Replaces what stands between two marks of a file by `make(what stood there)`."""
+def put_between(file, begin, end, text):
+    """Replaces what stands between two marks of a file."""
     before, rest = file.read_text(encoding="utf-8").split(begin)
-    kept, after = rest.split(end)
-    file.write_text(f"{before}{begin}\n\n{make(kept)}\n\n{end}{after}", encoding="utf-8")
+    after = rest.split(end)[1]
+    file.write_text(f"{before}{begin}\n\n{text}\n\n{end}{after}", encoding="utf-8")
 
 
-def write_documents(text):
-    put_between(DOCUMENT, BEGIN, END, lambda kept: merged(kept, text))
-    sums = summary(DOCUMENT.read_text(encoding="utf-8"))
-    put_between(SUMMARY, "<!-- summary -->", "<!-- end of summary -->", lambda _: sums)
+def write_documents(record):
+    put_between(DOCUMENT, "<!-- tables -->", "<!-- end of tables -->", tables(record, only_complete=True))
+    put_between(SUMMARY, "<!-- summary -->", "<!-- end of summary -->", summary(record))
+
+
+def starts_of(text):
+    """Which starts, counted from 0, of a list of numbers that counts from 1."""
+    starts = [int(word) - 1 for word in text.split(",")]
+    if not all(0 <= start < scenes.definition["starts"] for start in starts):
+        raise argparse.ArgumentTypeError(f"starts are 1 to {scenes.definition['starts']}")
+    return starts
 
 
 def main():
@@ -237,23 +250,28 @@ def main():
     parser.add_argument("--engines", type=words, default=list(ENGINES))
     parser.add_argument("--meshes", type=words, default=[])
     parser.add_argument("--methods", type=lambda text: text.split(";"), default=list(METHODS), help="separated by ;")
-    parser.add_argument("--starts", type=int, default=scenes.definition["starts"])
+    parser.add_argument("--scenes", type=words, default=[])
+    parser.add_argument("--starts", type=starts_of, default=list(range(scenes.definition["starts"])), help="as 1,2")
+    parser.add_argument("--floors", action="store_true", help="measure the noise of the originals alone")
     parser.add_argument("--seconds", type=float, default=1e9, help="stop after about this time; run again to go on")
     parser.add_argument("--frequencies", action="store_true", help="tune alone, simulate nothing")
     parser.add_argument("--tables", action="store_true", help="print what is there, simulate nothing")
-    parser.add_argument("--write", action="store_true", help="put what is complete into the documents")
+    parser.add_argument("--write", action="store_true", help="put what is there into record.json and the documents")
     options = parser.parse_args()
-    store = Store(time.time() + options.seconds)
-    finished = True
+    store, finished = Store(time.time() + options.seconds), True
     if not options.tables:
+        work = run_tunings if options.frequencies else run_floors if options.floors else run
         try:
-            work = run_tunings if options.frequencies else run
             work(store, load_engines(options.engines), options)
         except OutOfTime:
             finished = False
-    print(tables(store.results))
+    found, record = Record(), Record.load()
+    found.add(store.results)
+    print(tables(found))
     if options.write:
-        write_documents(tables(store.results, only_complete=True))
+        record.add(store.results)
+        record.save()
+        write_documents(record)
     if not finished:
         print("\nStopped by --seconds; run again to go on.", file=sys.stderr)
 

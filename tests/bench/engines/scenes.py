@@ -12,7 +12,10 @@ from meshes import largest_component, low_pins, read_obj, unit_scale
 GRAVITY = 9.81
 PINNED_PERCENT = 6
 SWAY_SPEED = 0.6
-TWIST_DEGREES = (30, 22.5, 15)
+# Of each start.
+TWIST_DEGREES = (30, 22.5, 15, -22.5, -15)
+HANG_DEGREES = (0, 20, 40, 10, 30)
+GUST_PHASES = (0, 0.2, 0.4, 0.1, 0.3)
 # Of the small motions, in which thin shells do not buckle.
 SMALL = 1 / 3
 
@@ -70,7 +73,7 @@ def _release(result, start, frame, mesh, size=1):
 
 
 def _hang(result, start, frame, mesh):
-    angle = np.radians(20 * start)
+    angle = np.radians(HANG_DEGREES[start])
     down = GRAVITY * (np.cos(angle) * frame.direction(frame.thin) + np.sin(angle) * frame.direction(frame.long))
     result.force = lambda time, masses: masses[:, None] * down
     result.gravity = down
@@ -80,7 +83,7 @@ def _wind(result, start, frame, mesh):
     down = GRAVITY * frame.direction(frame.long)
     # By area, whatever the masses are: the force of a gust does not know them.
     push = 0.5 * GRAVITY * mesh.vertex_areas[:, None] / frame.area * frame.direction(frame.thin)
-    phase = 0.2 * start
+    phase = GUST_PHASES[start]
     result.force = lambda time, masses: masses[:, None] * down + np.sin(np.pi * (time + phase)) ** 2 * push
 
 

@@ -1,15 +1,13 @@
-"""Markdown tables of the results of run.py."""
-
-import re
+"""Markdown tables of what is in record.py."""
 
 import numpy as np
 
 import scenes
 from simplifiers import METHODS, OURS
 
+STATES = ("untouched", "tuned")
 FLOORS = ("renumbered", "half the step")
 FREQUENCIES = "Frequencies of modes 1 to 10 in our model of each engine"
-BEGIN, END = "<!-- tables -->", "<!-- end of tables -->"
 TITLES = {"mujoco": "MuJoCo", "newton": "Newton", "jolt": "Jolt", "blender": "Blender"}
 # Rows below those of the summary: ratios over the motions of several tables.
 POOLS = {
@@ -28,208 +26,163 @@ def table(head, rows):
     return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
 
 
+def cells_of(motions):
+    """{title of the table: {(mesh, scene): {(method, state) or (floor,): [deviation of each start]}}}, as a Record has them."""
+    kinds = {entry["name"]: entry["kind"] for entry in scenes.definition["meshes"]}
+    found = {}
+    for (engine, mesh, scene, *subject), values in motions.items():
+        size = "small motions" if scene.startswith("small") else ""
+        title = ", ".join(filter(None, [TITLES[engine], "bodies" if kinds[mesh] == "body" else "sheets", size]))
+        found.setdefault(title, {}).setdefault((mesh, scene), {})[tuple(subject)] = known(values)
+    return dict(sorted(found.items()))
+
+
+def known(values):
+    """Without the starts that have not been simulated; a body that diverged has infinity."""
+    return [value for value in values if value is not None]
+
+
+def median(values):
+    return float(np.median(values)) if values else None
+
+
 def number(values):
     """The median of all starts; nothing where nothing has been simulated yet."""
     if not values:
         return "?"
-    return "diverged" if median(values) is None else f"{median(values):.3g}"
+    return f"{median(values):.3g}" if np.isfinite(median(values)) else "diverged"
 
 
-def cells_of(results):
-    """{(engine, kind, size of the motions): {(mesh, scene): {method: {state: [deviation of each start]}}}}"""
-    kinds = {entry["name"]: entry["kind"] for entry in scenes.definition["meshes"]}
-    found = {}
-    for key, value in results.items():
-        parts = key.split("|")
-        if len(parts) < 5:
-            continue
-        engine, mesh, scene, _, method = parts[:5]
-        state = parts[5] if len(parts) > 5 else "floor"
-        size = "small motions" if scene.startswith("small") else ""
-        cell = found.setdefault((engine, kinds[mesh], size), {}).setdefault((mesh, scene), {})
-        cell.setdefault(method, {}).setdefault(state, []).append(value)
-    return found
-
-
-def median(values):
-    return None if not values or any(value is None for value in values) else float(np.median(values))
-
-
-def tables(results, only_complete=False):
+def tables(record, only_complete=False):
     """Everything that has been simulated; `only_complete`: the scenes in which every mesh has been."""
     parts = []
-    for (engine, kind, size), cells in sorted(cells_of(results).items()):
+    for title, cells in cells_of(record.motions).items():
         if only_complete:
             cells = complete_cells(cells)
         if cells:
-            title = ", ".join(filter(None, [TITLES[engine], "bodies" if kind == "body" else "sheets", size]))
             parts.append(f"### {title}\n\n{motion_table(cells)}")
-    frequencies = {key: value for key, value in results.items() if key.endswith("|tuning")}
-    if frequencies:
-        parts.append(f"### {FREQUENCIES}\n\n{frequency_table(frequencies)}")
+    if record.frequencies:
+        parts.append(f"### {FREQUENCIES}\n\n{frequency_table(record.frequencies)}")
     return "\n\n".join(parts)
 
 
-def sections_of(text):
-    """{heading: what follows it} of the tables of a document."""
-    parts = [part.partition("\n") for part in text.split("### ")[1:]]
-    return {heading.strip(): rest.strip() for heading, _, rest in parts}
+def means(cells):
+    """{(method, state): geometric mean over the motions in which every mesh moved}"""
+    complete = complete_cells(cells).values()
+    return {
+        (method, state): geometric([median(cell[method, state]) for cell in complete])
+        for method in methods_of(cells) for state in STATES
+    } if complete else {}
 
 
-def cells_in(section):
-    """The rows of the first table of a section as lists of cells, its header first."""
-    lines = [line for line in section.splitlines() if line.startswith("|")]
-    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
-    return [row for row in rows if not set("".join(row)) <= set("-: ")]
+def best_other(found, state):
+    """The other tool whose meshes are nearest over a table, of the means of that table."""
+    others = [method for method, of in found if of == state and method not in OURS]
+    return min(others, key=lambda method: found[method, state]) if others else None
 
 
-def means_in(document):
-    """[(heading, number of motions, [(method, untouched, tuned)], ratios)] of the tables of motions of a document.
-
-    The ratios are those of the sentence below a table: of ours, tuned, over the best other untouched, and over the best other tuned.
-    They come from means before these were rounded.
-    """
-    found = []
-    for title, section in sections_of(document.split(BEGIN)[1].split(END)[0]).items():
-        header, *rows = cells_in(section)
-        means = next((row for row in rows if row[0].startswith("geometric mean")), None)
-        if title == FREQUENCIES or not means:
-            continue
-        pairs = [(method, *map(float, cell.split(" -> "))) for method, cell in zip(header, means) if " -> " in cell]
-        ratios = re.findall(r"by the best peer [^:]*: (\d+\.\d+)", section)[:2]
-        found.append((title, int(means[0].split()[-1]), pairs, [float(ratio) for ratio in ratios]))
-    return found
+def ratios(found):
+    """Of ours, tuned, over the best other untouched, and over the best other tuned in the same way."""
+    return [found[OURS[0], "tuned"] / found[best_other(found, state), state] for state in STATES]
 
 
-def summary(document):
+def summary(record):
     """One row for each table of motions: ours untouched and tuned, beside the best of the others, both ways; then the POOLS."""
     head = ["", "motions", "Limber untouched", "tuned", "best other untouched", "ratio to it", "best other tuned", "ratio to it"]
-    rows = []
-    for title, count, means, ratios in means_in(document):
-        (_, before, after), *others = sorted(means, key=lambda mean: mean[0] not in OURS)
-        untouched, tuned = (min(mean[column] for mean in others) for column in (1, 2))
-        numbers = (before, after, untouched, ratios[0], tuned, ratios[1])
+    rows, gathered = [], []
+    for title, cells in cells_of(record.motions).items():
+        found, count = means(cells), len(complete_cells(cells))
+        if not count:
+            continue
+        before, after = (found[OURS[0], state] for state in STATES)
+        untouched, tuned = (found[best_other(found, state), state] for state in STATES)
+        numbers = (before, after, untouched, ratios(found)[0], tuned, ratios(found)[1])
         rows.append([title, count, *(f"{value:.2f}" for value in numbers)])
-    return table(head, rows + [pooled(document, name, belongs) for name, belongs in POOLS.items()])
+        gathered.append((title, count, ratios(found)))
+    return table(head, rows + [pooled(gathered, name, belongs) for name, belongs in POOLS.items()])
 
 
-def pooled(document, name, belongs):
+def pooled(gathered, name, belongs):
     """A row of the summary with the geometric means of both ratios over all motions of the tables that belong to a pool."""
-    rows = [(count, ratios) for title, count, _, ratios in means_in(document) if belongs(title)]
+    rows = [(count, pair) for title, count, pair in gathered if belongs(title)]
     counts = [count for count, _ in rows]
     untouched, tuned = (
-        np.exp(np.average(np.log([ratios[column] for _, ratios in rows]), weights=counts)) for column in (0, 1)
+        np.exp(np.average(np.log([pair[column] for _, pair in rows]), weights=counts)) for column in (0, 1)
     )
     return [name, sum(counts), "", "", "", f"{untouched:.2f}", "", f"{tuned:.2f}"]
 
 
-def merged(old, new):
-    """The tables of `new`, and those of `old` that it does not have; of the frequencies also rows."""
-    before, after = sections_of(old), sections_of(new)
-    sections = {**before, **after}
-    if FREQUENCIES in before and FREQUENCIES in after:
-        sections[FREQUENCIES] = merged_rows(before[FREQUENCIES], after[FREQUENCIES])
-    names = sorted(sections, key=lambda name: (name == FREQUENCIES, name))
-    return "\n\n".join(f"### {name}\n\n{sections[name]}" for name in names)
-
-
-def merged_rows(old, new):
-    """The rows of `new`, and those of `old` that it does not have, under the columns of both."""
-    columns, rows = [], {}
-    for text in (new, old):
-        header, *lines = cells_in(text)
-        columns += [name for name in header if name not in columns]
-        for cells in lines:
-            rows.setdefault(tuple(cells[:2]), dict(zip(header, cells)))
-    lines = [columns, ["---"] * len(columns), *([row.get(name, "") for name in columns] for row in rows.values())]
-    return "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
-
-
 def methods_of(cells):
-    return [method for method in METHODS if any(method in cell for cell in cells.values())]
+    return [method for method in METHODS if any((method, state) in cell for cell in cells.values() for state in STATES)]
 
 
 def complete_cells(cells):
     """The cells of meshes and scenes where each method that occurs at all moved, untouched and tuned."""
     methods = methods_of(cells)
-    return {
-        name: cell for name, cell in cells.items()
-        if all(median(cell.get(m, {}).get(s)) is not None for m in methods for s in ("untouched", "tuned"))
-    }
+    moved = lambda cell, m, s: cell.get((m, s)) and np.isfinite(median(cell[m, s]))
+    return {name: cell for name, cell in cells.items() if all(moved(cell, m, s) for m in methods for s in STATES)}
+
+
+def starts_note(cells):
+    """How many starts the medians are of."""
+    counts = {len(values) for cell in cells.values() for subject, values in cell.items() if len(subject) == 2}
+    few, many = min(counts), max(counts)
+    number = str(few) if few == many else f"{few} to {many}"
+    return f"Median of {number} start{'s' if many > 1 else ''}."
 
 
 def motion_table(cells):
-    methods, complete = methods_of(cells), complete_cells(cells)
-    rows, gathered = [], {(method, state): [] for method in methods for state in ("untouched", "tuned")}
+    methods, found, rows = methods_of(cells), means(cells), []
+    arrow = lambda of: " -> ".join(of(state) for state in STATES)
     for (mesh, scene), cell in cells.items():
-        row = [f"{mesh}, {scene}"]
-        for method in methods:
-            states = cell.get(method, {})
-            row.append(" -> ".join(number(states.get(state)) for state in ("untouched", "tuned")) if states else "")
-            for state in ("untouched", "tuned"):
-                if (mesh, scene) in complete:
-                    gathered[method, state].append(median(states[state]))
-        floors = [number(cell[floor]["floor"]) if floor in cell else "-" for floor in FLOORS]
-        row.append(" / ".join(floors) if any(floor in cell for floor in FLOORS) else "")
-        rows.append(row)
+        row = [f"{mesh}, {scene}", *(arrow(lambda state: number(cell.get((method, state)))) for method in methods)]
+        noise = [number(cell[floor,]) if (floor,) in cell else "-" for floor in FLOORS]
+        rows.append([*row, " / ".join(noise) if any((floor,) in cell for floor in FLOORS) else ""])
     head = ["", *methods, "renumbered / half the step"]
-    if not complete:
+    if not found:
         return table(head, rows)
-    means = [f"geometric mean of {len(complete)}"]
-    for method in methods:
-        means.append(" -> ".join(f"{geometric(gathered[method, state]):.3g}" for state in ("untouched", "tuned")))
-    return table(head, [*rows, [*means, ""]]) + best_peer_note(gathered, methods) + exceptions(complete, gathered, methods)
+    last = [f"geometric mean of {len(complete_cells(cells))}",
+            *(arrow(lambda state: f"{found[method, state]:.3g}") for method in methods), ""]
+    notes = [starts_note(cells), best_peer_note(found), exceptions(cells, found)]
+    return "\n\n".join([table(head, [*rows, last]), " ".join(filter(None, notes))])
 
 
-def best_peer_note(gathered, methods):
-    peers = [method for method in methods if method not in OURS]
-    if not peers:
+def best_peer_note(found):
+    untouched, tuned = (best_other(found, state) for state in STATES)
+    if not untouched:
         return ""
-    best = min(peers, key=lambda method: geometric(gathered[method, "untouched"]))
-    least = min(peers, key=lambda method: geometric(gathered[method, "tuned"]))
-    lines = []
-    for ours in [method for method in methods if method in OURS]:
-        against = geometric(gathered[ours, "tuned"]) / geometric(gathered[best, "untouched"])
-        alike = geometric(gathered[ours, "tuned"]) / geometric(gathered[least, "tuned"])
-        lines.append(f"`{ours}` tuned, divided by the best peer untouched ({best}): {against:.2f}; by the best peer tuned in the "
-                     f"same way ({least}): {alike:.2f}.")
-    return "\n\n" + " ".join(lines)
+    against, alike = ratios(found)
+    return (f"`{OURS[0]}` tuned, divided by the best peer untouched ({untouched}): {against:.2f}; by the best peer tuned in the "
+            f"same way ({tuned}): {alike:.2f}.")
 
 
 # A motion of ours counts as worse than another's from so many times its deviation on, noise apart.
 WORSE = 1.25
 
 
-def exceptions(cells, gathered, methods):
+def exceptions(cells, found):
     """The motions in which ours is worse than the tool that is best untouched, beyond noise."""
-    peers = [method for method in methods if method not in OURS]
-    if not peers:
+    best = best_other(found, "untouched")
+    if not best:
         return ""
-    best = min(peers, key=lambda method: geometric(gathered[method, "untouched"]))
     names = []
-    for (mesh, scene), cell in cells.items():
-        noise = max((median(cell[floor]["floor"]) or 0 for floor in FLOORS if floor in cell), default=0)
-        ours, other = median(cell[OURS[0]]["tuned"]), median(cell[best]["untouched"])
-        if ours > WORSE * other + noise:
+    for (mesh, scene), cell in complete_cells(cells).items():
+        noise = max((median(cell[floor,]) for floor in FLOORS if (floor,) in cell), default=0)
+        if median(cell[OURS[0], "tuned"]) > WORSE * median(cell[best, "untouched"]) + noise:
             names.append(f"{mesh}, {scene}")
-    return f" Worse than {best} untouched by more than {WORSE} times and the noise: {'; '.join(names) or 'none'}."
+    return f"Worse than {best} untouched by more than {WORSE} times and the noise: {'; '.join(names) or 'none'}."
 
 
 def frequency_cell(value):
     if not value:
         return ""
-    return "refused" if "refused" in value else f"{value['untouched']:.1f} -> {value['tuned']:.1f}"
+    return "refused" if value == "refused" else f"{value[0]:.1f} -> {value[1]:.1f}"
 
 
 def frequency_table(frequencies):
     found = {}
-    for key, value in frequencies.items():
-        engine, mesh, method, _ = key.split("|")
+    for (engine, mesh, method), value in frequencies.items():
         found.setdefault((engine, mesh), {})[method] = value
-    rows, methods = [], [method for method in METHODS if any(method in of for of in found.values())]
-    for (engine, mesh), of in found.items():
-        row = [engine, mesh]
-        for method in methods:
-            row.append(frequency_cell(of.get(method)))
-        rows.append(row)
+    methods = [method for method in METHODS if any(method in of for of in found.values())]
+    rows = [[*name, *(frequency_cell(of.get(method)) for method in methods)] for name, of in found.items()]
     return table(["engine", "mesh", *methods], rows)
