@@ -41,6 +41,13 @@ test.each(CHANGES)('the command line says all settings, and the program reads th
   expect(found.soft).toBe(false);
 });
 
+test('what the method does not read is left out', () => {
+  const settings: Settings = { ...defaultSettings('qem'), fit: 'modal', strainWeight: 3 };
+  const line = commandLine(settings, 'a.glb', 'b.glb', files);
+  expect(line).not.toMatch(/--(fit|strain)/);
+  expect(parsed(line).settings.method).toBe('qem');
+});
+
 test('names of files stay names, whatever is in them', () => {
   for (const name of ['-rf.glb', "it's $(odd) `here`.glb", 'ü "x" \\.glb']) {
     const [input] = parsed(commandLine(defaultSettings(), name, 'out.glb', files)).operands;

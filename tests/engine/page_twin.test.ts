@@ -22,6 +22,9 @@ it('a step that is not faster says what limits it', () => {
     return { original, optimized, haveLattice: isSolid };
   };
   expect(speedUp(times(0.0095, 0.01))).toBe('x0.950');
+  expect(speedUp(times(0.0095, 0.01, true))).toBe('none');
+  expect(speedUp(times(0.02, 0.01, true))).toBe('x2.00');
+  expect(speedUp(times(0, 0, true))).toBe('...');
   expect(describeSpeedUp(times(0.0095, 0.01, true))).toBe('same lattice');
   expect(describeSpeedUp(times(0.00009, 0.0001))).toBe('too few faces');
   for (const plain of [times(0.02, 0.01, true), times(0.0095, 0.01), times(0, 0, true)])

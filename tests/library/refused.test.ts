@@ -105,6 +105,12 @@ it.each<[CommandName, object, string, string | null]>([
     'inspect does not take "wantsBody", which is no option: see the README of the package.',
     null,
   ],
+  [
+    'optimize',
+    { method: 'paper', fit: 'modal' },
+    'fit is modal, but paper fits nothing: leave it out, or give method limber.',
+    'fit',
+  ],
   ['optimize', { engine: 'young=1' }, 'engine needs a solver: name one of shell, ', 'engine'],
   ['simulate', { massRule: 'vertex' }, 'massRule needs a solver: name one of shell, ', 'massRule'],
   [

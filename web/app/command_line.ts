@@ -1,6 +1,6 @@
 /** The command line that writes the same bytes as the page. */
 
-import { settingsOf } from '../engine/settings/options';
+import { readsSetting, settingsOf } from '../engine/settings/options';
 import type { Settings } from '../engine/settings/options';
 import { changedSettings } from '../engine/settings/setting_text';
 
@@ -27,7 +27,7 @@ export function commandLine(
   { faces, fields, binding, settings: file, isMissed }: CommandFiles,
 ): string {
   const flags = changedSettings(settings)
-    .filter(({ key }) => settingsOf('optimize').includes(key))
+    .filter(({ key }) => settingsOf('optimize').includes(key) && readsSetting(settings, key))
     .flatMap(({ flag, text }) => [`--${flag}`, ...(text === null ? [] : [text])]);
   const words = ['limber', 'optimize', operand(input), operand(output), '--faces', String(faces), ...flags];
   const extras = [

@@ -4,7 +4,7 @@ import { parseArgs } from 'node:util';
 import { ENGINE_MATERIAL } from '../engine/body/material';
 import { coreMemory } from '../engine/core/memory_size';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
-import { checkSettings, OPTIONS, settingsOf, SOLVER_SETTINGS } from '../engine/settings/options';
+import { checkFit, checkSettings, OPTIONS, settingsOf, SOLVER_SETTINGS } from '../engine/settings/options';
 import type { Note, Settings } from '../engine/settings/options';
 import { PRESET_NAMES, settingsOfPreset } from '../engine/settings/presets';
 import type { PresetName } from '../engine/settings/presets';
@@ -231,6 +231,7 @@ function settingsFrom(command: Command, values: Map<string, string>): Settings {
   const settings = readSettings(settingsOf(engineCommand(command)), (flag) => values.get(flag), base);
   checkSettings(settings);
   checkSolverFlags(command, settings, values);
+  if (values.has('fit')) checkFit(settings);
   return settings;
 }
 

@@ -54,6 +54,8 @@ const TEXTS = [
   run('--mode', 'first'),
   run('--mode-weights', '1,-1'),
   run('--mode-weights', 'a,b'),
+  run('--method', 'paper', '--fit', 'modal'),
+  run('--method', 'qem', '--fit', 'surface'),
   run('--lods', '0.5,2'),
   run('--lods', '0'),
   run('--lods', '0.5;0.25'),

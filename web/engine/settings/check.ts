@@ -5,7 +5,7 @@ import { engineValues } from './engine_text';
 import { SettingError } from './errors';
 import { rulesOf } from './kinds';
 import type { Notation } from './kinds';
-import { resolveModes } from './methods';
+import { readsSetting, resolveModes } from './methods';
 import { OPTIONS, SETTING_NAMES } from './table';
 import type { SettingName, Settings } from './table';
 import { profileOf } from '../solvers/profiles';
@@ -22,6 +22,17 @@ export function checkSettings(settings: Settings, notation: Notation = 'text'): 
   for (const setting of SETTING_NAMES) checkSetting(setting, settings[setting], notation);
   checkModes(settings);
   checkSolver(settings);
+}
+
+/** Throws SettingError where a given fit has no effect, because the method has none. */
+export function checkFit(settings: Pick<Settings, 'method' | 'fit'>): void {
+  const { method, fit } = settings;
+  if (fit === 'off' || readsSetting(settings, 'fit')) return;
+  throw new SettingError('fit', [
+    `is ${fit}, but ${method} fits nothing: leave it out, or give `,
+    { setting: 'method' },
+    ' limber.',
+  ]);
 }
 
 function checkModes(settings: Settings): void {

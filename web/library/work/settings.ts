@@ -3,6 +3,7 @@
 import { nearest } from '../../engine/core/nearest';
 import { excerpt, quotedValue } from '../../engine/core/words';
 import {
+  checkFit,
   checkSetting,
   checkSettings,
   COMMAND_DEFAULTS,
@@ -57,6 +58,7 @@ export function settingsFrom(command: Command, options: object): Settings {
   checkSettings(settings, 'script');
   checkSolver(command, settings);
   if (chosen.bendRatio !== undefined) checkBendRatio(settings);
+  if (chosen.fit !== undefined) checkFit(settings);
   return settings;
 }
 

@@ -17,13 +17,19 @@ export interface StepTimes {
   haveLattice: boolean;
 }
 
-export const speedUp = ({ original, optimized }: StepTimes): string =>
-  original > 0 && optimized > 0 ? `x${figures(original / optimized)}` : '...';
+const isFaster = ({ original, optimized }: StepTimes): boolean => original >= MIN_GAIN * optimized;
+
+/** Bodies with the same lattice take equally long: what is measured beyond that is noise, and not shown. */
+export function speedUp(times: StepTimes): string {
+  const { original, optimized, haveLattice } = times;
+  if (!(original > 0 && optimized > 0)) return '...';
+  return haveLattice && !isFaster(times) ? say('none') : `x${figures(original / optimized)}`;
+}
 
 /** The explanation of what limits the speed-up; '' if nothing does. */
-export function describeSpeedUp({ original, optimized, haveLattice }: StepTimes): string {
-  const isSlow = optimized > 0 && original < MIN_GAIN * optimized;
-  if (isSlow && haveLattice) return say('same lattice');
-  if (isSlow && original < SHORT_STEP) return say('too few faces');
-  return '';
+export function describeSpeedUp(times: StepTimes): string {
+  const { original, optimized, haveLattice } = times;
+  if (optimized <= 0 || isFaster(times)) return '';
+  if (haveLattice) return say('same lattice');
+  return original < SHORT_STEP ? say('too few faces') : '';
 }
