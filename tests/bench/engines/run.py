@@ -26,7 +26,7 @@ import scenes
 from meshes import carried_pins, closest_points, renumbered
 from models import frequency_error
 from record import Record
-from simplifiers import METHODS, ROOT, mesh_file, simplified
+from simplifiers import DOCUMENTED, METHODS, ROOT, mesh_file, simplified
 from tables import FLOORS, summary, tables
 
 CACHE = ROOT / "build" / "bench" / "engines"
@@ -249,7 +249,8 @@ def main():
     words = lambda text: [word.strip() for word in text.split(";" if ";" in text else ",") if word.strip()]
     parser.add_argument("--engines", type=words, default=list(ENGINES))
     parser.add_argument("--meshes", type=words, default=[])
-    parser.add_argument("--methods", type=lambda text: text.split(";"), default=list(METHODS), help="separated by ;")
+    parser.add_argument("--methods", type=lambda text: text.split(";"), default=list(DOCUMENTED),
+                        help=f"separated by ; of: {'; '.join(METHODS)}")
     parser.add_argument("--scenes", type=words, default=[])
     parser.add_argument("--starts", type=starts_of, default=list(range(scenes.definition["starts"])), help="as 1,2")
     parser.add_argument("--floors", action="store_true", help="measure the noise of the originals alone")

@@ -56,6 +56,8 @@ METHODS = {
     "fast-simplification": (_fast_simplification, {}),
 }
 OURS = ("limber", "limber, fit off")
+# Those of docs/motions.md: ours, and the others that come nearest.
+DOCUMENTED = ("limber", "update + Regularize", "pymeshlab", "pymeshlab, planar")
 
 
 def mesh_file(name, method=None):
