@@ -35,7 +35,7 @@ const tables = read('docs', 'motions.md')
   });
 
 function median(key: string): number {
-  const values = (record.motions[key] ?? []).filter((value): value is number => typeof value === 'number');
+  const values = (record.motions[key] ?? []).filter((value) => value !== null).map(Number);
   values.sort((a, b) => a - b);
   const middle = values.length / 2;
   return values.length % 2 ? values[Math.floor(middle)] : (values[middle - 1] + values[middle]) / 2;

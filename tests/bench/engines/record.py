@@ -8,6 +8,8 @@ each start, % of the diagonal, null where it has not been simulated and "diverge
 import json
 from pathlib import Path
 
+from tables import STATES
+
 FILE = Path(__file__).with_name("record.json")
 DIVERGED = float("inf")
 
@@ -35,8 +37,8 @@ class Record:
         for key, value in results.items():
             *words, last = parts = key.split("|")
             if last == "tuning":
-                refused = "refused" in value
-                self.frequencies[tuple(words)] = "refused" if refused else [rounded(value[state]) for state in ("untouched", "tuned")]
+                errors = "refused" if "refused" in value else [rounded(value[state]) for state in STATES]
+                self.frequencies[tuple(words)] = errors
                 continue
             engine, mesh, scene, start, *subject = parts
             values = self.motions.setdefault((engine, mesh, scene, *subject), [])

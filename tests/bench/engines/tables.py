@@ -43,7 +43,10 @@ def known(values):
 
 
 def median(values):
-    return float(np.median(values)) if values else None
+    """Infinity where the body diverged from any start."""
+    if not values:
+        return None
+    return float(np.median(values)) if np.isfinite(values).all() else float("inf")
 
 
 def number(values):
@@ -96,9 +99,10 @@ def summary(record):
             continue
         before, after = (found[OURS[0], state] for state in STATES)
         untouched, tuned = (found[best_other(found, state), state] for state in STATES)
-        numbers = (before, after, untouched, ratios(found)[0], tuned, ratios(found)[1])
+        against, alike = ratios(found)
+        numbers = (before, after, untouched, against, tuned, alike)
         rows.append([title, count, *(f"{value:.2f}" for value in numbers)])
-        gathered.append((title, count, ratios(found)))
+        gathered.append((title, count, (against, alike)))
     return table(head, rows + [pooled(gathered, name, belongs) for name, belongs in POOLS.items()])
 
 
