@@ -108,8 +108,14 @@ it.each<[CommandName, object, string, string | null]>([
   [
     'optimize',
     { method: 'paper', fit: 'modal' },
-    'fit is modal, but paper fits nothing: leave it out, or give method limber.',
+    'fit is "modal", but paper does not use it: leave it out, or give method limber.',
     'fit',
+  ],
+  [
+    'optimize',
+    { method: 'qem', qualityWeight: 2 },
+    'qualityWeight is 2, but qem does not use it: leave it out, or give method limber or paper.',
+    'qualityWeight',
   ],
   ['optimize', { engine: 'young=1' }, 'engine needs a solver: name one of shell, ', 'engine'],
   ['simulate', { massRule: 'vertex' }, 'massRule needs a solver: name one of shell, ', 'massRule'],

@@ -4,7 +4,13 @@ import { parseArgs } from 'node:util';
 import { ENGINE_MATERIAL } from '../engine/body/material';
 import { coreMemory } from '../engine/core/memory_size';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
-import { checkFit, checkSettings, OPTIONS, settingsOf, SOLVER_SETTINGS } from '../engine/settings/options';
+import {
+  checkAreUsed,
+  checkSettings,
+  OPTIONS,
+  settingsOf,
+  SOLVER_SETTINGS,
+} from '../engine/settings/options';
 import type { Note, Settings } from '../engine/settings/options';
 import { PRESET_NAMES, settingsOfPreset } from '../engine/settings/presets';
 import type { PresetName } from '../engine/settings/presets';
@@ -228,10 +234,14 @@ function settingsFrom(command: Command, values: Map<string, string>): Settings {
     values.set('converge', '');
   }
   if (values.has('like-input')) readLikeInput(values);
-  const settings = readSettings(settingsOf(engineCommand(command)), (flag) => values.get(flag), base);
+  const names = settingsOf(engineCommand(command));
+  const settings = readSettings(names, (flag) => values.get(flag), base);
   checkSettings(settings);
   checkSolverFlags(command, settings, values);
-  if (values.has('fit')) checkFit(settings);
+  checkAreUsed(
+    settings,
+    names.filter((name) => values.has(OPTIONS[name].flag)),
+  );
   return settings;
 }
 

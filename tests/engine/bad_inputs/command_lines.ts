@@ -56,6 +56,8 @@ const TEXTS = [
   run('--mode-weights', 'a,b'),
   run('--method', 'paper', '--fit', 'modal'),
   run('--method', 'qem', '--fit', 'surface'),
+  run('--method', 'qem', '--strain-weight', '2'),
+  run('--method', 'paper', '--seams', 'cross'),
   run('--lods', '0.5,2'),
   run('--lods', '0'),
   run('--lods', '0.5;0.25'),

@@ -9,8 +9,8 @@
 import type { InspectedBody } from '../body/prepared_body';
 import type { Core, Model, SurfaceDistance } from '../core/core';
 import { VERSION } from '../core/version';
-import { methodOf, resolveModel, resolveModes } from '../settings/options';
-import type { Settings } from '../settings/options';
+import { methodOf, readsSetting, resolveModel, resolveModes } from '../settings/options';
+import type { SettingName, Settings } from '../settings/options';
 import { meshReport } from './mesh_report';
 import type { MeshReport } from './mesh_report';
 import type { ComponentReport, ModeReport, SolveReport, ZeroModes } from './modes_report';
@@ -67,8 +67,10 @@ export function startReport(core: Core, command: string, options: object, bodies
 /** JSON has no infinity. */
 const spellInfinity = (value: unknown): unknown => (value === Infinity ? 'inf' : value);
 
-/** The settings of an optimization as used: `auto` is resolved, unless the method follows no modes. */
+/** The settings of an optimization that its method reads; `auto` is resolved, unless the method follows no modes. */
 export function settingsAsUsed(settings: Settings): object {
-  if (!methodOf(settings).needsGuidance) return settings;
-  return { ...settings, model: resolveModel(settings), modes: resolveModes(settings) };
+  const read = Object.entries(settings).filter(([name]) => readsSetting(settings, name as SettingName));
+  const used = Object.fromEntries(read);
+  if (!methodOf(settings).needsGuidance) return used;
+  return { ...used, model: resolveModel(settings), modes: resolveModes(settings) };
 }

@@ -1,5 +1,6 @@
 /** Validates settings, one by one and in combination. */
 
+import { METHOD_NAMES } from '../core/methods';
 import { counted, excerpt, quotedJson, quotedValue } from '../core/words';
 import { engineValues } from './engine_text';
 import { SettingError } from './errors';
@@ -24,16 +25,27 @@ export function checkSettings(settings: Settings, notation: Notation = 'text'): 
   checkSolver(settings);
 }
 
-/** Throws SettingError where a given fit has no effect, because the method has none. */
-export function checkFit(settings: Pick<Settings, 'method' | 'fit'>): void {
-  const { method, fit } = settings;
-  if (fit === 'off' || readsSetting(settings, 'fit')) return;
-  throw new SettingError('fit', [
-    `is ${fit}, but ${method} fits nothing: leave it out, or give `,
+/**
+ * Throws SettingError for the first of the given settings that has no effect, because the method of `settings` does not use it.
+ * Weights of 0 and a fit that is off are accepted: they ask for nothing. `notation`: where values come from.
+ */
+export function checkAreUsed(
+  settings: Settings,
+  given: readonly SettingName[],
+  notation: Notation = 'text',
+): void {
+  const { method } = settings;
+  const unused = given.find((name) => !NOTHING.includes(settings[name]) && !readsSetting(settings, name));
+  if (unused === undefined) return;
+  const users = METHOD_NAMES.filter((other) => readsSetting({ method: other }, unused));
+  throw new SettingError(unused, [
+    `is ${SHOWN[notation](settings[unused])}, but ${method} does not use it: leave it out, or give `,
     { setting: 'method' },
-    ' limber.',
+    ` ${users.join(' or ')}.`,
   ]);
 }
+
+const NOTHING: readonly unknown[] = [0, 'off'];
 
 function checkModes(settings: Settings): void {
   const { modes, modeCount, modeWeights } = settings;

@@ -3,7 +3,7 @@
 import { nearest } from '../../engine/core/nearest';
 import { excerpt, quotedValue } from '../../engine/core/words';
 import {
-  checkFit,
+  checkAreUsed,
   checkSetting,
   checkSettings,
   COMMAND_DEFAULTS,
@@ -58,7 +58,7 @@ export function settingsFrom(command: Command, options: object): Settings {
   checkSettings(settings, 'script');
   checkSolver(command, settings);
   if (chosen.bendRatio !== undefined) checkBendRatio(settings);
-  if (chosen.fit !== undefined) checkFit(settings);
+  checkAreUsed(settings, Object.keys(chosen) as SettingName[], 'script');
   return settings;
 }
 
