@@ -16,11 +16,11 @@ it('names the flags that limber tune cannot do without, and no default for them'
   }
 });
 
-it('says what limber modes does with modes, and which flags it does not use', () => {
+it('says what limber modes does with modes, and has no flags for combining them', () => {
   expect(helpOf('modes', 'mode')).toMatch(/^Elastic modes that --shapes writes: .* Default: all\.$/);
   expect(helpOf('optimize', 'mode')).toMatch(/^Elastic modes that guide the collapses: /);
   for (const name of ['mode-weights', 'p', 'strain-threshold'])
-    expect(helpOf('modes', name)).toBe('Not used here, where modes are not combined.');
+    expect(flagsOf('modes').map((flag) => flag.name)).not.toContain(name);
 });
 
 it('says what is printed with --quiet, and what - is for each operand', () => {

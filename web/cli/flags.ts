@@ -137,12 +137,6 @@ const CHOSEN: CommandSpec['words'] = {
   },
 };
 
-const NOT_COMBINED: SettingWords = {
-  help: 'Not used here, where modes are not combined.',
-  group: 'motion',
-  hidesDefault: true,
-};
-
 export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   optimize: {
     operands: ['IN', 'OUT'],
@@ -208,7 +202,6 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
         help: 'Elastic modes that --shapes writes: numbers from 1 separated by commas, all, or auto (the first six).',
         group: 'motion',
       },
-      ...{ modeWeights: NOT_COMBINED, p: NOT_COMBINED, strainThreshold: NOT_COMBINED },
     },
   },
   compare: {
