@@ -85,6 +85,12 @@ def deviation(reference, paths):
     return None if paths is None else float(100 * np.linalg.norm(paths - reference, axis=2).mean())
 
 
+def at_rest(case, mesh, points):
+    """The part of a deviation that is there before anything moves, % of the diagonal."""
+    original = scenes.at_points(case.original.positions[None], case.original.triangles, case.points)
+    return deviation(original, scenes.at_points(mesh.positions[None], mesh.triangles, points))
+
+
 class Store:
     """Results by key in one JSON file; paths of originals as compressed arrays."""
 
@@ -171,6 +177,7 @@ def run_result(store, case, method, scene_starts, key):
     triangle, weights = case.points
     at = np.einsum("pk,pkc->pc", weights, case.original.positions[case.original.triangles[triangle]])
     points = closest_points(coarse, at)
+    store.get(f"{case.entry['name']}|{method}|at rest", lambda: at_rest(case, coarse, points))
     tuned = tuning_of(store, case, coarse, method)
     # Where tuning is refused, the user is left with the original's parameters.
     native = tuned.get("native", case.parameters)

@@ -7,6 +7,7 @@ from simplifiers import METHODS, OURS
 
 STATES = ("untouched", "tuned")
 FLOORS = ("renumbered", "half the step")
+REST = "At rest"
 FREQUENCIES = "Frequencies of modes 1 to 10 in our model of each engine"
 TITLES = {"mujoco": "MuJoCo", "newton": "Newton", "jolt": "Jolt", "blender": "Blender"}
 # Rows below those of the summary: ratios over the motions of several tables.
@@ -64,6 +65,8 @@ def tables(record, only_complete=False):
             cells = complete_cells(cells)
         if cells:
             parts.append(f"### {title}\n\n{motion_table(cells)}")
+    if record.rest:
+        parts.append(f"### {REST}\n\n{rest_table(record.rest)}")
     if record.frequencies:
         parts.append(f"### {FREQUENCIES}\n\n{frequency_table(record.frequencies)}")
     return "\n\n".join(parts)
@@ -147,7 +150,7 @@ def motion_table(cells):
         return table(head, rows)
     last = [f"geometric mean of {len(complete_cells(cells))}",
             *(arrow(lambda state: f"{found[method, state]:.3g}") for method in methods), ""]
-    notes = [starts_note(cells), best_peer_note(found), exceptions(cells, found)]
+    notes = [starts_note(cells), best_peer_note(found), hindsight_note(cells, found), exceptions(cells, found)]
     return "\n\n".join([table(head, [*rows, last]), " ".join(filter(None, notes))])
 
 
@@ -158,6 +161,16 @@ def best_peer_note(found):
     against, alike = ratios(found)
     return (f"`{OURS[0]}` tuned, divided by the best peer untouched ({untouched}): {against:.2f}; by the best peer tuned in the "
             f"same way ({tuned}): {alike:.2f}.")
+
+
+def hindsight_note(cells, found):
+    """How near the tuned meshes together come: a bound on what choosing among them could gain."""
+    best = best_other(found, "untouched")
+    if not best:
+        return ""
+    methods = methods_of(cells)
+    nearest = geometric([min(median(cell[method, "tuned"]) for method in methods) for cell in complete_cells(cells).values()])
+    return f"The nearest tuned mesh of each motion, chosen afterwards: {nearest / found[best, 'untouched']:.2f}."
 
 
 # A motion of ours counts as worse than another's from so many times its deviation on, noise apart.
@@ -175,6 +188,13 @@ def exceptions(cells, found):
         if median(cell[OURS[0], "tuned"]) > WORSE * median(cell[best, "untouched"]) + noise:
             names.append(f"{mesh}, {scene}")
     return f"Worse than {best} untouched by more than {WORSE} times and the noise: {'; '.join(names) or 'none'}."
+
+
+def rest_table(rest):
+    methods = [method for method in METHODS if any(method == of for _, of in rest)]
+    meshes = dict.fromkeys(mesh for mesh, _ in sorted(rest))
+    value = lambda mesh, method: f"{rest[mesh, method]:.3g}" if (mesh, method) in rest else ""
+    return table(["mesh", *methods], [[mesh, *(value(mesh, method) for method in methods)] for mesh in meshes])
 
 
 def frequency_cell(value):
