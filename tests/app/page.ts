@@ -46,6 +46,9 @@ export const readout = (page: Page, name: string) =>
     .filter({ has: page.getByText(name, { exact: true }) })
     .locator('dd');
 
+/** A measured speed-up; solids of the same lattice, as of the bar, mostly have none. */
+export const SPEED_UP = /^(x\d|none)/;
+
 export const keptFaces = (page: Page) => page.getByRole('slider', { name: 'Kept faces' });
 
 /** Moves the slider to a number of faces and waits until the page shows a mesh of at most that many. */

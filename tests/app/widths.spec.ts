@@ -1,7 +1,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
-import { drop, goTo, keptFaces, openPage, readout, writeScratch } from './page';
+import { drop, goTo, keptFaces, openPage, readout, SPEED_UP, writeScratch } from './page';
 import { standingTubes } from './scenes';
 
 const WINDOWS = [
@@ -182,7 +182,7 @@ test('read-outs of the Test step are seen whole in one row, and what is running 
 }) => {
   await openPage(page);
   await goTo(page, 'Test');
-  await expect(readout(page, 'Speed-up')).toContainText('x');
+  await expect(readout(page, 'Speed-up')).toContainText(SPEED_UP);
   await expect(readout(page, 'Stretch')).toContainText('optimized');
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
   await expect(readout(page, 'Time')).toContainText('paused');
