@@ -78,7 +78,7 @@ PEERS = {"update + Regularize": "meshoptimizer (update, Regularize)", "pymeshlab
 
 def film(case, scene, peer):
     """(rows of (label, colour, mesh, frames)), the original first."""
-    results = run.Store(0).results
+    results = run.Store(run.CACHE, 0).results
     name, engine = case.entry["name"], case.engine.NAME
     tuned = results[f"{engine}|{name}|limber|tuning"]
     ours, other = (simplified(name, case.original, "low:6", method) for method in ("limber", peer))

@@ -1,13 +1,14 @@
 """How far coarse meshes move from their original in the engines themselves.
 
 Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spot,bowl] [--methods limber;pymeshlab]
-       [--scenes sway,hang] [--starts 1,2] [--floors] [--seconds 100] [--frequencies] [--tables] [--write]
+       [--scenes sway,hang] [--starts 1,2] [--floors] [--finer 2] [--seconds 100] [--frequencies] [--tables] [--write]
 Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/motions.md says how to install them), `npm run
 build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
 that a run that was stopped, also by --seconds, goes on where it was. --starts: which ones, counted from 1; all without it.
---floors measures noise instead: the first of these starts, renumbered and with half the step. --frequencies tunes alone,
---tables only prints what is there. --write adds it to record.json and makes the tables of docs/motions.md and
-docs/engines.md from what was ever recorded.
+--floors measures noise instead: the first of these starts, renumbered and with half the step. --finer simulates everything
+with shorter steps, to see whether a comparison depends on them. --frequencies tunes alone, --tables only prints what is
+there. --write adds it to record.json and makes the tables of docs/motions.md and docs/engines.md from what was ever
+recorded.
 """
 
 import argparse
@@ -94,8 +95,8 @@ def at_rest(case, mesh, points):
 class Store:
     """Results by key in one JSON file; paths of originals as compressed arrays."""
 
-    def __init__(self, deadline):
-        self.file = CACHE / "results.json"
+    def __init__(self, folder, deadline):
+        self.folder, self.file = folder, folder / "results.json"
         self.results = json.loads(self.file.read_text()) if self.file.exists() else {}
         self.deadline = deadline
 
@@ -104,7 +105,7 @@ class Store:
             if time.time() > self.deadline:
                 raise OutOfTime
             self.results[key] = compute()
-            CACHE.mkdir(parents=True, exist_ok=True)
+            self.folder.mkdir(parents=True, exist_ok=True)
             temporary = self.file.with_suffix(".new")
             temporary.write_text(json.dumps(self.results, indent=0))
             temporary.replace(self.file)
@@ -112,7 +113,7 @@ class Store:
 
     def paths(self, key, compute):
         name = hashlib.sha256(key.encode()).hexdigest()[:16]
-        file = CACHE / "paths" / f"{name}.npz"
+        file = self.folder / "paths" / f"{name}.npz"
         if not file.exists():
             if time.time() > self.deadline:
                 raise OutOfTime
@@ -264,9 +265,14 @@ def main():
     parser.add_argument("--seconds", type=float, default=1e9, help="stop after about this time; run again to go on")
     parser.add_argument("--frequencies", action="store_true", help="tune alone, simulate nothing")
     parser.add_argument("--tables", action="store_true", help="print what is there, simulate nothing")
+    parser.add_argument("--finer", type=int, default=1, metavar="N", help="steps of an Nth, kept apart; not with --write")
     parser.add_argument("--write", action="store_true", help="put what is there into record.json and the documents")
     options = parser.parse_args()
-    store, finished = Store(time.time() + options.seconds), True
+    if options.finer > 1 and options.write:
+        parser.error("--write records the steps of scenes.json: leave out --finer.")
+    scenes.definition["stepsPerFrame"] *= options.finer
+    folder = CACHE if options.finer == 1 else CACHE / f"finer-{options.finer}"
+    store, finished = Store(folder, time.time() + options.seconds), True
     if not options.tables:
         work = run_tunings if options.frequencies else run_floors if options.floors else run
         try:
