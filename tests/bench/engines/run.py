@@ -62,6 +62,7 @@ class Case:
         self.parameters = engine.parameters_of(self.original, scenes.definition["material"])
         self.body = engine.body(self.original, self.parameters)
         self.points = scenes.surface_points(self.original, scenes.definition["points"])
+        self.points_at_rest = scenes.at_points(self.original.positions[None], self.original.triangles, self.points)
         self._goal = None
 
     @property
@@ -88,8 +89,7 @@ def deviation(reference, paths):
 
 def at_rest(case, mesh, points):
     """The part of a deviation that is there before anything moves, % of the diagonal."""
-    original = scenes.at_points(case.original.positions[None], case.original.triangles, case.points)
-    return deviation(original, scenes.at_points(mesh.positions[None], mesh.triangles, points))
+    return deviation(case.points_at_rest, scenes.at_points(mesh.positions[None], mesh.triangles, points))
 
 
 class Store:
@@ -131,10 +131,8 @@ def floors(store, case, scene, start, reference, key):
         mesh, place = renumbered(case.original)
         masses = np.empty_like(case.body.masses)
         masses[place] = case.body.masses
-        triangle, weights = case.points
         # The same points on the renumbered mesh: through its closest points, which are exact there.
-        at = np.einsum("pk,pkc->pc", weights, case.original.positions[case.original.triangles[triangle]])
-        points = closest_points(mesh, at)
+        points = closest_points(mesh, case.points_at_rest[0])
         return deviation(reference, case.paths(scene, start, mesh, np.sort(place[case.pins]), points, None, masses))
 
     store.get(f"{key}|{FLOORS[0]}", of_renumbered)
@@ -175,9 +173,7 @@ def run_result(store, case, method, scene_starts, key):
     """Untouched and tuned deviations of one method's mesh in all scenes and starts."""
     coarse = coarse_of(case, method)
     pins = carried_pins(case.original, case.pins, coarse)
-    triangle, weights = case.points
-    at = np.einsum("pk,pkc->pc", weights, case.original.positions[case.original.triangles[triangle]])
-    points = closest_points(coarse, at)
+    points = closest_points(coarse, case.points_at_rest[0])
     store.get(f"{case.entry['name']}|{method}|at rest", lambda: at_rest(case, coarse, points))
     tuned = tuning_of(store, case, coarse, method)
     # Where tuning is refused, the user is left with the original's parameters.
