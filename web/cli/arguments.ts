@@ -5,7 +5,7 @@ import { ENGINE_MATERIAL } from '../engine/body/material';
 import { coreMemory } from '../engine/core/memory_size';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
 import {
-  checkAreUsed,
+  checkAllUsed,
   checkSettings,
   OPTIONS,
   settingsOf,
@@ -238,7 +238,7 @@ function settingsFrom(command: Command, values: Map<string, string>): Settings {
   const settings = readSettings(names, (flag) => values.get(flag), base);
   checkSettings(settings);
   checkSolverFlags(command, settings, values);
-  checkAreUsed(
+  checkAllUsed(
     settings,
     names.filter((name) => values.has(OPTIONS[name].flag)),
   );

@@ -29,7 +29,7 @@ export function checkSettings(settings: Settings, notation: Notation = 'text'): 
  * Throws SettingError for the first of the given settings that has no effect, because the method of `settings` does not use it.
  * Weights of 0 and a fit that is off are accepted: they ask for nothing. `notation`: where values come from.
  */
-export function checkAreUsed(
+export function checkAllUsed(
   settings: Settings,
   given: readonly SettingName[],
   notation: Notation = 'text',

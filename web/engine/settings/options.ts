@@ -1,6 +1,6 @@
 /** What other folders may import of the settings; the forms of texts are in pin_text.ts, paint_text.ts, collider_text.ts and engine_text.ts. */
 
-export { checkAreUsed, checkSetting, checkSettings, SOLVER_SETTINGS } from './check';
+export { checkAllUsed, checkSetting, checkSettings, SOLVER_SETTINGS } from './check';
 export { COMMAND_DEFAULTS, settingsOf } from './commands';
 export type { CommandSettings } from './commands';
 export { SettingError, wordNote, wordSentence } from './errors';

@@ -3,7 +3,7 @@
 import { nearest } from '../../engine/core/nearest';
 import { excerpt, quotedValue } from '../../engine/core/words';
 import {
-  checkAreUsed,
+  checkAllUsed,
   checkSetting,
   checkSettings,
   COMMAND_DEFAULTS,
@@ -58,7 +58,7 @@ export function settingsFrom(command: Command, options: object): Settings {
   checkSettings(settings, 'script');
   checkSolver(command, settings);
   if (chosen.bendRatio !== undefined) checkBendRatio(settings);
-  checkAreUsed(settings, Object.keys(chosen) as SettingName[], 'script');
+  checkAllUsed(settings, Object.keys(chosen) as SettingName[], 'script');
   return settings;
 }
 
