@@ -7,7 +7,7 @@ import type { OpenModel } from '../engine/document/open';
 import { fidelityReport } from '../engine/report/fidelity_report';
 import type { VibrationReport } from '../engine/report/fidelity_report';
 import { meshReport } from '../engine/report/mesh_report';
-import { startReport } from '../engine/report/report';
+import { settingsOfCommand, startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import { worstSurface } from '../engine/report/result_report';
 import type { FileRun } from '../engine/stages/file_run';
@@ -15,7 +15,6 @@ import { comparedWarnings } from '../engine/stages/file_warnings';
 import { bodyFidelity, compareTopology, measureDistance } from '../engine/stages/measure';
 import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
-import { settingsAsUsed } from './flags';
 import { finish, openFile, prepareFile, preparePartners, startSession, warnOf } from './session';
 import type { Session } from './session';
 import { shownNames } from './standard';
@@ -52,7 +51,7 @@ export async function runCompare(args: Arguments): Promise<number> {
 
 /** Only the settings that a comparison reads; its elastic model is always the shell. */
 function optionsAsUsed({ settings }: Arguments): object {
-  return { model: 'shell', ...settingsAsUsed('compare', settings) };
+  return { model: 'shell', ...settingsOfCommand('compare', settings) };
 }
 
 /** The bodies of A and of B, each beside its own. */

@@ -271,9 +271,3 @@ function describeDefault(command: Command, setting: SettingName): string {
   const unit = 'unit' in option && option.unit ? ` ${option.unit}` : '';
   return ` Default: ${String(value)}${unit}.`;
 }
-
-/** The settings that a command takes, for its report; texts that are empty are left out. */
-export function settingsAsUsed(command: Command, settings: Settings): Partial<Settings> {
-  const used = settingsOf(engineCommand(command)).filter((setting) => settings[setting] !== '');
-  return Object.fromEntries(used.map((setting) => [setting, settings[setting]]));
-}

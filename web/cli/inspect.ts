@@ -5,12 +5,11 @@ import type { InspectedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
 import type { Body, OpenModel } from '../engine/document/open';
 import { counted, excerpt, grouped } from '../engine/core/words';
-import { startReport } from '../engine/report/report';
+import { settingsOfCommand, startReport } from '../engine/report/report';
 import { inspectBody } from '../engine/stages/prepared';
 import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
-import { settingsAsUsed } from './flags';
 import { finish, openFile, startSession } from './session';
 import { table } from './words';
 
@@ -22,7 +21,7 @@ export async function runInspect(args: Arguments): Promise<number> {
   const load = stopwatch();
   const bodies = chosenBodies(model, args.settings).map((i) => model.bodies[i]);
   const inspected = bodies.map((body) => inspectBody(session.core, body, args.settings));
-  const used = settingsAsUsed('inspect', args.settings);
+  const used = settingsOfCommand('inspect', args.settings);
   const report = startReport(session.core, 'inspect', used, inspected);
   report.timings = { load, inspect: stopwatch(), total: total() };
   finish(session, report, inspectText(model, bodies, inspected));

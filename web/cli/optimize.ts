@@ -9,7 +9,7 @@ import { passThrough } from '../engine/document/write/pass_through';
 import { describeEmpty } from '../engine/document/open';
 import { loadValidator } from '../engine/document/validate';
 import type { OpenModel } from '../engine/document/open';
-import { settingsAsUsed } from '../engine/report/report';
+import { settingsOfMethod } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import { FileOutput } from '../engine/stages/file_output';
 import { requestFile } from '../engine/stages/budget/file_targets';
@@ -164,5 +164,5 @@ function optionsAsUsed(args: Arguments): object {
   const { settings, fields } = args;
   const { faces, ratio } = faceTarget(requestedTargets(args));
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
-  return { ...settingsAsUsed(settings), ...target, fields };
+  return { ...settingsOfMethod(settings), ...target, fields };
 }

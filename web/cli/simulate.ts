@@ -19,7 +19,7 @@ import { calibrationReport, simulationReport, worstMotion } from '../engine/repo
 import type { RunReport, SimulationReport } from '../engine/report/motion_report';
 import type { SettingsFile } from '../engine/report/settings_file';
 import { readSettingsFile } from '../engine/report/settings_reader';
-import { startReport } from '../engine/report/report';
+import { settingsOfCommand, startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import { ofBody } from '../engine/report/warnings';
 import { sizeWarnings } from '../engine/stages/file_warnings';
@@ -29,7 +29,6 @@ import type { Arguments } from './arguments';
 import { preparePairs } from './compare';
 import type { Pairs } from './compare';
 import { EXIT, flagOf, UsageError } from './failure';
-import { settingsAsUsed } from './flags';
 import { readText } from './input_files/read_file';
 import { finish, openFile, prepareFile, save, startSession, warnOf } from './session';
 import type { Session } from './session';
@@ -59,7 +58,12 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const simulated = stopwatch();
   if (args.record !== null)
     save(session, args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
-  const report = startReport(session.core, 'simulate', settingsAsUsed('simulate', args.settings), originals);
+  const report = startReport(
+    session.core,
+    'simulate',
+    settingsOfCommand('simulate', args.settings),
+    originals,
+  );
   if (others) report.output = meshReport(others);
   report.simulation = simulationReport(motions, motionModel(args.settings, carried.tuning, others !== null));
   if (factors) report.calibration = calibrationReport(originals, factors);

@@ -5,7 +5,7 @@ import { faceCount } from '../engine/core/mesh';
 import { startStopwatch } from '../engine/core/stopwatch';
 import type { OpenModel } from '../engine/document/open';
 import { meshReport } from '../engine/report/mesh_report';
-import { startReport } from '../engine/report/report';
+import { settingsOfCommand, startReport } from '../engine/report/report';
 import { settingsFile, writeSettings } from '../engine/report/settings_file';
 import { describeTuning, solverReport } from '../engine/report/solver_report';
 import type { SolverName } from '../engine/solvers/profiles';
@@ -17,7 +17,6 @@ import type { Arguments } from './arguments';
 import { preparePairs } from './compare';
 import type { Pairs } from './compare';
 import { EXIT, flagOf, UsageError } from './failure';
-import { settingsAsUsed } from './flags';
 import { finish, openFile, save, startSession, warnOf } from './session';
 import type { Session } from './session';
 import { shownNames, shownOutput } from './standard';
@@ -39,7 +38,7 @@ export async function runTune(args: Arguments): Promise<number> {
   save(session, path, writeSettings(settingsFile(bodies, args.settings)));
   const found = solverReport(tuned);
   const report = {
-    ...startReport(session.core, 'tune', settingsAsUsed('tune', args.settings), originals),
+    ...startReport(session.core, 'tune', settingsOfCommand('tune', args.settings), originals),
     ...found,
     output: meshReport(others),
     timings: { load, weld, tune, export: stopwatch(), total: total() },

@@ -7,7 +7,7 @@ import { validateFiles } from '../../engine/document/validate';
 import { droppedByExport } from '../../engine/document/dropped';
 import { lostIn } from '../../engine/document/write/lost';
 import { levelNames, outputForm } from '../../engine/document/write/output_form';
-import { settingsAsUsed } from '../../engine/report/report';
+import { settingsOfMethod } from '../../engine/report/report';
 import { worstSurface } from '../../engine/report/result_report';
 import type { LevelReport } from '../../engine/report/result_report';
 import { defaultSettings } from '../../engine/settings/options';
@@ -37,7 +37,7 @@ export async function exportAll(
   const exportTime = stopwatch();
   const { levels, reports } = await exportLevels(output, levelNames(name, settings));
   const levelsTime = stopwatch();
-  const report = output.report({ ...settingsAsUsed(settings), faces: asked }, reports);
+  const report = output.report({ ...settingsOfMethod(settings), faces: asked }, reports);
   report.timings = {
     ...report.timings,
     export: exportTime,

@@ -9,8 +9,8 @@
 import type { InspectedBody } from '../body/prepared_body';
 import type { Core, Model, SurfaceDistance } from '../core/core';
 import { VERSION } from '../core/version';
-import { methodOf, readsSetting, resolveModel, resolveModes } from '../settings/options';
-import type { SettingName, Settings } from '../settings/options';
+import { methodOf, readsSetting, resolveModel, resolveModes, settingsOf } from '../settings/options';
+import type { Command, SettingName, Settings } from '../settings/options';
 import { meshReport } from './mesh_report';
 import type { MeshReport } from './mesh_report';
 import type { ComponentReport, ModeReport, SolveReport, ZeroModes } from './modes_report';
@@ -67,8 +67,14 @@ export function startReport(core: Core, command: string, options: object, bodies
 /** JSON has no infinity. */
 const spellInfinity = (value: unknown): unknown => (value === Infinity ? 'inf' : value);
 
+/** The settings that a command takes; texts that are empty are left out. */
+export function settingsOfCommand(command: Command, settings: Settings): Partial<Settings> {
+  const used = settingsOf(command).filter((setting: SettingName) => settings[setting] !== '');
+  return Object.fromEntries(used.map((setting) => [setting, settings[setting]]));
+}
+
 /** The settings of an optimization that its method reads; `auto` is resolved, unless the method follows no modes. */
-export function settingsAsUsed(settings: Settings): object {
+export function settingsOfMethod(settings: Settings): object {
   const read = Object.entries(settings).filter(([name]) => readsSetting(settings, name as SettingName));
   const used = Object.fromEntries(read);
   if (!methodOf(settings).needsGuidance) return used;

@@ -4,7 +4,7 @@ import { describeSolve } from '../../engine/body/health';
 import { droppedByExport, exportGlb } from '../../engine/document/export';
 import { shapeTargets } from '../../engine/document/shapes';
 import { modesReport } from '../../engine/report/modes_report';
-import { startReport } from '../../engine/report/report';
+import { settingsOfCommand, startReport } from '../../engine/report/report';
 import type { Report } from '../../engine/report/report';
 import { resolveModes } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
@@ -19,7 +19,6 @@ import { finished } from './optimize';
 import { resultBytes } from './result_bytes';
 import { inNames, nameOf } from './session';
 import type { WorkSession } from './session';
-import { settingsAsUsed } from './settings';
 
 export async function findModes(
   session: WorkSession,
@@ -76,7 +75,7 @@ export async function inspectModel(session: WorkSession, [files]: ModelFiles[]):
   const bodies = session.chosen(model).map((i) => model.bodies[i]);
   const inspected = bodies.map((body) => inspectBody(core, body, settings));
   const report: Report = {
-    ...startReport(core, 'inspect', settingsAsUsed('inspect', settings), inspected),
+    ...startReport(core, 'inspect', settingsOfCommand('inspect', settings), inspected),
     timings: { load, inspect: session.lap(), total: session.total() },
   };
   return { report: finished(session, report), notes };

@@ -2,7 +2,7 @@
 
 import { describeResiduals } from '../../engine/body/health';
 import { describeAddedErrors, loadValidator } from '../../engine/document/validate';
-import { settingsAsUsed } from '../../engine/report/report';
+import { settingsOfMethod } from '../../engine/report/report';
 import type { OpenModel } from '../../engine/document/open';
 import type { Report } from '../../engine/report/report';
 import { SettingError } from '../../engine/settings/options';
@@ -150,5 +150,5 @@ function optionsAsUsed(
   { faces, ratio }: Pick<RequestedTargets, 'faces' | 'ratio'>,
 ): object {
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
-  return { ...settingsAsUsed(settings), ...target, fields };
+  return { ...settingsOfMethod(settings), ...target, fields };
 }

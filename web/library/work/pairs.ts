@@ -5,7 +5,7 @@ import { faceCount } from '../../engine/core/mesh';
 import { counted } from '../../engine/core/words';
 import { fidelityReport } from '../../engine/report/fidelity_report';
 import { meshReport } from '../../engine/report/mesh_report';
-import { startReport } from '../../engine/report/report';
+import { settingsOfCommand, startReport } from '../../engine/report/report';
 import { worstSurface } from '../../engine/report/result_report';
 import { settingsFile, writeSettings } from '../../engine/report/settings_file';
 import { solverReport } from '../../engine/report/solver_report';
@@ -20,7 +20,6 @@ import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
 import { nameOf } from './session';
 import type { WorkSession } from './session';
-import { settingsAsUsed } from './settings';
 
 /** Throws an Error where the models have different numbers of bodies: they are compared in the order of their files. */
 export function checkPairs(originals: PreparedBody[], others: PreparedBody[]): void {
@@ -47,7 +46,7 @@ export async function compareModels(
   const measure = session.lap();
   const fidelities = originals.map((original, i) => bodyFidelity(core, original, others[i].mesh, settings));
   const names = originals.map(({ body }) => body.name);
-  const used = { model: 'shell', ...settingsAsUsed('compare', settings) };
+  const used = { model: 'shell', ...settingsOfCommand('compare', settings) };
   const report = {
     ...startReport(core, 'compare', used, originals),
     output: meshReport(others),
@@ -73,7 +72,7 @@ export async function tuneModel(session: WorkSession, [first, second]: ModelFile
   const bodies = others.map((other, i) => tunedEntry(other, tuned[i]));
   const text = writeSettings(settingsFile(bodies, settings));
   const report = {
-    ...startReport(core, 'tune', settingsAsUsed('tune', settings), originals),
+    ...startReport(core, 'tune', settingsOfCommand('tune', settings), originals),
     ...solverReport(tuned),
     output: meshReport(others),
     timings: { load, weld, tune, export: session.lap(), total: session.total() },

@@ -94,9 +94,3 @@ function adviceOn(command: Command, name: string): string {
   const meant = settings.find((setting) => OPTIONS[setting].flag === name) ?? nearest(name, known);
   return meant === null ? 'see the README of the package.' : `did you mean "${meant}"?`;
 }
-
-/** The settings that a command takes, for its report; texts that are empty are left out. */
-export function settingsAsUsed(command: Command, settings: Settings): Partial<Settings> {
-  const used = settingsOf(command).filter((setting: SettingName) => settings[setting] !== '');
-  return Object.fromEntries(used.map((setting) => [setting, settings[setting]]));
-}

@@ -17,7 +17,7 @@ import { readBinding } from '../../engine/report/binding_file';
 import { meshReport } from '../../engine/report/mesh_report';
 import { calibrationReport, simulationReport } from '../../engine/report/motion_report';
 import { ofBody } from '../../engine/report/warnings';
-import { startReport } from '../../engine/report/report';
+import { settingsOfCommand, startReport } from '../../engine/report/report';
 import type { SettingsFile } from '../../engine/report/settings_file';
 import { readSettingsFile } from '../../engine/report/settings_reader';
 import type { FileRun } from '../../engine/stages/file_run';
@@ -30,7 +30,6 @@ import { checkPairs } from './pairs';
 import { resultBytes } from './result_bytes';
 import { nameOf } from './session';
 import type { WorkSession } from './session';
-import { settingsAsUsed } from './settings';
 
 /** The bodies of the original and, where there is one, of the other model, in the order of their files. */
 interface Sides {
@@ -73,7 +72,7 @@ export async function simulateModels(
     ? resultBytes(await recordingGlb(recorded(motions, sides), STEP_SECONDS))
     : null;
   const { factors, tuning } = carried;
-  const used = settingsAsUsed('simulate', settings);
+  const used = settingsOfCommand('simulate', settings);
   const report: SimulateReport = {
     ...startReport(core, 'simulate', used, originals),
     ...(others ? { output: meshReport(others) } : {}),
