@@ -179,7 +179,7 @@ export const BENCHES = [
     name: 'frequencies',
     measures: 'frequencies of coarse meshes in four solvers, untouched and tuned',
     script: 'tests/bench/frequencies.mjs',
-    document: 'docs/motions.md',
+    document: 'docs/evidence.md',
     peers: 'plain quadrics',
     words: [],
     quick: ['--tunes', 'global', 'spot_uv', 'derived_cloth'],
