@@ -1,6 +1,7 @@
 #include "fit/tune/tune_solver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -17,6 +18,16 @@ namespace {
 // Progress after the stages of a run.
 constexpr double kPrepared = 0.05, kSolved = 0.5, kTuned = 0.8;
 constexpr double kRounding = 100 * kRoughTolerance;  // of errors of frequencies, in %
+
+// The mean length of the edges of the result over that of the original's, from the mean areas of triangles.
+double lengthRatio(const TriangleMesh& original, const TriangleMesh& result) {
+  const auto meanArea = [](const TriangleMesh& mesh) {
+    double sum = 0;
+    for (uint32_t t = 0; t < mesh.triangleCount(); ++t) sum += triangleArea(mesh, t);
+    return sum / mesh.triangleCount();
+  };
+  return std::sqrt(meanArea(result) / meanArea(original));
+}
 
 bool hasBorder(const Topology& topology) {
   return std::ranges::any_of(topology.edges, [](const Topology::Edge& edge) { return edge.useCount == 1; });
@@ -155,8 +166,12 @@ Tuned tuneSolver(const TriangleMesh& original, const TriangleMesh& result, const
   TuneProblem problem({pairs, findClampings(original, pairs, options), {masses, tuned.masses}, all.size()},
                       job);
   whole.report(kSolved);
-  const TuneConstraints constraints{result, all, stiffness.stretchCount(),
-                                    !hasBorder(buildTopology(original))};
+  const TuneConstraints constraints{result,
+                                    all,
+                                    stiffness.stretchCount(),
+                                    !hasBorder(buildTopology(original)),
+                                    FactorRange{},
+                                    bendRange(options.model.bend, lengthRatio(original, result))};
   const Tuning untouched = untouchedOf(options.tune, constraints);
   tuned.frequencyStatus = problem.status();
   if (!problem.isDefinite()) {

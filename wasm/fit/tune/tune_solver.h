@@ -16,7 +16,8 @@ namespace limber {
 // the motion. If the solver's energy leaves motions without resistance (a flat sheet of springs bends freely,
 // and hinges let three sheets swing about a shared edge), or if no search finds the modes, there are no
 // frequencies to fit: factors stay 1, errors are NaN and Tuned::frequencyStatus has the reason. Factors stay
-// in [0.1, 10].
+// in [0.1, 10]; those on bending may go beyond by what the resolution alone asks for, see
+// fit/tune/steps/factor_range.h.
 //
 // With `runsTrial` original and result then move through a short scene, see fit/tune/motion_trial.h, and
 // tuned factors are returned only if they do not worsen the motion by more than its noise floor. Without a

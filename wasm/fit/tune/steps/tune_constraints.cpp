@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/tune/steps/factor_range.h"
 #include "fit/tune/steps/tune_steps.h"
 
 namespace limber {
@@ -16,7 +15,7 @@ constexpr double kDamping = 1e-4;  // of the mean diagonal of J J^T: modes of on
 constexpr double kShortestChange = 0.05;  // the limit is halved down to this if errors grow
 constexpr int kPasses = 8;                // to find the unknowns that reach their bounds
 
-// How far each logarithm may change in a round.
+// Limits of the logarithms, or of their changes in a round.
 struct Bounded {
   Eigen::VectorXd least, most;
 };
@@ -46,6 +45,17 @@ Eigen::VectorXd leastNormStep(Eigen::MatrixXd jacobian, const Eigen::VectorXd& r
   return step;
 }
 
+// The least and the greatest logarithm of the factor of each constraint.
+Bounded rangesOf(const TuneConstraints& constraints) {
+  const auto count = static_cast<Eigen::Index>(constraints.all.size());
+  const auto stretches = static_cast<Eigen::Index>(constraints.stretchCount);
+  Bounded ranges{Eigen::VectorXd::Constant(count, constraints.bendRange.least),
+                 Eigen::VectorXd::Constant(count, constraints.bendRange.most)};
+  ranges.least.head(stretches).setConstant(constraints.stretchRange.least);
+  ranges.most.head(stretches).setConstant(constraints.stretchRange.most);
+  return ranges;
+}
+
 }  // namespace
 
 std::vector<double> tuneConstraints(TuneProblem& problem, const TuneConstraints& constraints,
@@ -53,13 +63,14 @@ std::vector<double> tuneConstraints(TuneProblem& problem, const TuneConstraints&
   std::vector<double> best = factorsOf(start, constraints);
   Eigen::VectorXd x =
       Eigen::Map<Eigen::VectorXd>(best.data(), static_cast<Eigen::Index>(best.size())).array().log();
+  const auto [least, most] = rangesOf(constraints);
   Eigen::VectorXd bestX = x;
   double bestError = problem.fittedError(), longest = kLongestChange;
   for (int round = 0; round < kRounds && bestError > kGoodError && longest > kShortestChange; ++round) {
     Eigen::MatrixXd jacobian = problem.jacobian();
     if (!constraints.tunesStretch)
       jacobian.leftCols(static_cast<Eigen::Index>(constraints.stretchCount)).setZero();
-    const Bounded bounds{(-kFactorRange - x.array()).max(-longest), (kFactorRange - x.array()).min(longest)};
+    const Bounded bounds{(least - x).cwiseMax(-longest), (most - x).cwiseMin(longest)};
     x += leastNormStep(std::move(jacobian), problem.residuals(), bounds);
     const Eigen::VectorXd factors = x.array().exp();
     problem.moveTo({factors.begin(), factors.end()}, job);

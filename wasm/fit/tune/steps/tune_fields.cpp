@@ -68,12 +68,12 @@ class FieldUnknowns {
 
   // The nearest unknowns for which factors are within their range.
   Eigen::VectorXd bounded(Eigen::VectorXd x) const {
-    const auto bound = [](auto field, double factor) {
-      const double middle = -std::log(factor);
-      field = field.cwiseMax(middle - kFactorRange).cwiseMin(middle + kFactorRange).eval();
+    const auto bound = [](auto field, const FactorRange& range, double factor) {
+      const double start = std::log(factor);
+      field = field.cwiseMax(range.least - start).cwiseMin(range.most - start).eval();
     };
-    bound(x.head(vertexCount_), start_.bend);
-    if (constraints_.tunesStretch) bound(x.tail(vertexCount_), start_.stretch);
+    bound(x.head(vertexCount_), constraints_.bendRange, start_.bend);
+    if (constraints_.tunesStretch) bound(x.tail(vertexCount_), constraints_.stretchRange, start_.stretch);
     return x;
   }
 

@@ -31,6 +31,8 @@ std::vector<double> factorsOf(const GlobalFactors& factors, const TuneConstraint
 
 GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constraints, Job& job) {
   GlobalFactors best;
+  const FactorRange &stretch = constraints.stretchRange, &bend = constraints.bendRange;
+  const Eigen::Vector2d least(stretch.least, bend.least), most(stretch.most, bend.most);
   Eigen::Vector2d x = Eigen::Vector2d::Zero();
   int worseRounds = 0;
   double bestSquares = problem.residuals().squaredNorm();
@@ -42,8 +44,7 @@ GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constrai
     const double drawn = std::max(scatter, kMinScatter) / (kPriorDeviation * kPriorDeviation);
     const Eigen::Matrix2d normal = jacobian.transpose() * jacobian + drawn * Eigen::Matrix2d::Identity();
     const Eigen::Vector2d gradient = jacobian.transpose() * residual + drawn * x;
-    const Eigen::Vector2d next =
-        (x - normal.ldlt().solve(gradient)).cwiseMax(-kFactorRange).cwiseMin(kFactorRange);
+    const Eigen::Vector2d next = (x - normal.ldlt().solve(gradient)).cwiseMax(least).cwiseMin(most);
     if ((next - x).cwiseAbs().maxCoeff() < kSettled) break;
     x = next;
     const GlobalFactors factors{std::exp(x[0]), std::exp(x[1])};

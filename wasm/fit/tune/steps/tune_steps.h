@@ -5,6 +5,7 @@
 
 #include "base/job.h"
 #include "elastic/solvers/solver_stiffness.h"
+#include "fit/tune/steps/factor_range.h"
 #include "fit/tune/steps/tune_problem.h"
 
 namespace limber {
@@ -15,6 +16,7 @@ struct TuneConstraints {
   std::span<const SolverConstraint> all;  // stretch constraints first
   size_t stretchCount;
   bool tunesStretch;  // false: the factors of stretch constraints stay 1
+  FactorRange stretchRange, bendRange;
 };
 
 struct GlobalFactors {
@@ -24,7 +26,7 @@ struct GlobalFactors {
 // One factor for each kind of constraint: the maximum a posteriori estimate of their logarithms by
 // Gauss-Newton steps, with a Gaussian prior of mean 0 and standard deviation ln(10) / 2 and noise of the
 // variance of the residuals. The modes thus determine the factors that they depend on; all others stay 1.
-// Leaves the problem at the result. All three functions keep factors in [0.1, 10]. Throws Cancelled.
+// Leaves the problem at the result. All three functions keep factors in their ranges. Throws Cancelled.
 GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constraints, Job& job);
 
 struct VertexFields {
