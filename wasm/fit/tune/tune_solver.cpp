@@ -19,7 +19,8 @@ namespace {
 constexpr double kPrepared = 0.05, kSolved = 0.5, kTuned = 0.8;
 constexpr double kRounding = 100 * kRoughTolerance;  // of errors of frequencies, in %
 
-// The mean length of the edges of the result over that of the original's, from the mean areas of triangles.
+// How many times as long the edges of the result are as those of the original, from the mean areas of
+// triangles.
 double lengthRatio(const TriangleMesh& original, const TriangleMesh& result) {
   const auto meanArea = [](const TriangleMesh& mesh) {
     double sum = 0;
