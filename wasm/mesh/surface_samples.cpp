@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/vertex_areas.h"
+
 namespace limber {
 
 namespace {
@@ -25,8 +27,7 @@ void add(const EdgePoints& edge, bool isUpwards, std::vector<Vec3>& out) {
 }  // namespace
 
 SurfaceSamples sampleSurface(const TriangleMesh& mesh, uint32_t count) {
-  double total = 0;
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) total += triangleArea(mesh, t);
+  const double total = surfaceArea(mesh);
   SurfaceSamples samples;
   if (!(total > 0)) return samples;
   samples.positions.reserve(count);

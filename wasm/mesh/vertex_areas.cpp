@@ -10,6 +10,12 @@ constexpr double kMinArea = 1e-9;  // of the mean
 
 }  // namespace
 
+double surfaceArea(const TriangleMesh& mesh) {
+  double area = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) area += triangleArea(mesh, t);
+  return area;
+}
+
 std::vector<double> vertexAreas(const TriangleMesh& mesh) {
   std::vector<double> areas(mesh.vertexCount(), 0.0);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {

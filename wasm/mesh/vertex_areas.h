@@ -6,6 +6,9 @@
 
 namespace limber {
 
+// In squared units of the mesh, summed in the order of the triangles.
+double surfaceArea(const TriangleMesh& mesh);
+
 // Per vertex a third of the area of the triangles around it, in squared units of the mesh.
 std::vector<double> vertexAreas(const TriangleMesh& mesh);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/sampling.h"
+#include "mesh/vertex_areas.h"
 
 namespace limber {
 
@@ -26,8 +27,7 @@ FitSamples sampleForFit(const TriangleMesh& original, const Topology& topology, 
                         const EdgeList& featureEdges) {
   const uint32_t n = std::max(1u, original.triangleCount());
   const auto cuts = static_cast<uint32_t>(std::max(1.0, std::ceil(std::sqrt(1.0 * count / n))));
-  double area = 0;
-  for (uint32_t t = 0; t < original.triangleCount(); ++t) area += triangleArea(original, t);
+  const double area = surfaceArea(original);
   FitSamples samples;
   samples.surface.reserve(size_t{n} * cuts * cuts);
   for (uint32_t t = 0; t < original.triangleCount(); ++t) {

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "mesh/eigen_vec3.h"
+#include "mesh/vertex_areas.h"
 
 namespace limber {
 
@@ -22,8 +23,7 @@ Vec3 areaGradient(const TriangleMesh& mesh, Corner corner) {
 }  // namespace
 
 Eigen::Vector2d measureSizes(const TriangleMesh& mesh, const Topology& topology) {
-  Eigen::Vector2d sizes = Eigen::Vector2d::Zero();
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) sizes[0] += triangleArea(mesh, t);
+  Eigen::Vector2d sizes(surfaceArea(mesh), 0);
   for (const Topology::Edge& edge : topology.edges)
     if (edge.useCount == 1) sizes[1] += length(mesh.positions[edge.b] - mesh.positions[edge.a]);
   return sizes;

@@ -11,6 +11,7 @@
 #include "fit/tune/tune_checks.h"
 #include "fit/tune/tune_trial.h"
 #include "mesh/topology.h"
+#include "mesh/vertex_areas.h"
 
 namespace limber {
 namespace {
@@ -22,11 +23,7 @@ constexpr double kRounding = 100 * kRoughTolerance;  // of errors of frequencies
 // How many times as long the edges of the result are as those of the original, from the mean areas of
 // triangles.
 double lengthRatio(const TriangleMesh& original, const TriangleMesh& result) {
-  const auto meanArea = [](const TriangleMesh& mesh) {
-    double sum = 0;
-    for (uint32_t t = 0; t < mesh.triangleCount(); ++t) sum += triangleArea(mesh, t);
-    return sum / mesh.triangleCount();
-  };
+  const auto meanArea = [](const TriangleMesh& mesh) { return surfaceArea(mesh) / mesh.triangleCount(); };
   return std::sqrt(meanArea(result) / meanArea(original));
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "mesh/topology.h"
+#include "mesh/vertex_areas.h"
 #include "simulate/solid/lattice_body.h"
 
 namespace limber {
@@ -28,7 +29,7 @@ SolidSplit::SolidSplit(const TriangleMesh& mesh) : diagonal(bounds(mesh).diagona
     }
   sheets = std::move(split.parts[0].mesh);
   solids = std::move(split.parts[1].mesh);
-  for (uint32_t t = 0; t < sheets.triangleCount(); ++t) sheetArea += triangleArea(sheets, t);
+  sheetArea = surfaceArea(sheets);
   sheetVertices = std::move(split.parts[0].vertices);
   solidVertices = std::move(split.parts[1].vertices);
 }

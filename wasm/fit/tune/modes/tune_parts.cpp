@@ -9,6 +9,7 @@
 #include "compare/assignment.h"
 #include "mesh/component_frame.h"
 #include "mesh/topology.h"
+#include "mesh/vertex_areas.h"
 #include "transfer/shape_transfer.h"
 
 namespace limber {
@@ -27,11 +28,7 @@ ConnectedBody bodyOf(const TriangleMesh& mesh) {
   ConnectedBody body{mesh, buildTopology(mesh), {}, {}};
   body.parts = splitMesh(mesh, body.topology.componentOfVertex, body.topology.componentCount);
   std::vector<double> areas;
-  for (const MeshParts::Part& part : body.parts.parts) {
-    double area = 0;
-    for (uint32_t t = 0; t < part.mesh.triangleCount(); ++t) area += triangleArea(part.mesh, t);
-    areas.push_back(area);
-  }
+  for (const MeshParts::Part& part : body.parts.parts) areas.push_back(surfaceArea(part.mesh));
   const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
   for (uint32_t p = 0; p < areas.size(); ++p)
     if (areas[p] >= kMinShare * total) body.matters.push_back(p);
